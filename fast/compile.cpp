@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <groundtruth/fast/number.hpp>
+#include <groundtruth/fast/scene.hpp>
+#include <groundtruth/fast/segment.hpp>
+
+namespace groundtruth::fast {
+
+namespace {
+
+// The operator whose operands are being laid out.
+struct Operator {
+  NodeKind kind = NodeKind::union_of;
+  std::optional<std::size_t> last_operand;  // where it starts
+
+  bool ends_in_cell(const std::vector<Node>& nodes) const {
+    return last_operand && *last_operand + 1 == nodes.size() && nodes.back().kind == NodeKind::cell;
+  }
+};
+
+}  // namespace
+
+class Compiler {
+ public:
+  explicit Compiler(const groundtruth::Scene& scene) {
+    scene_.materials_ = scene.materials;
+    Site site{scene_.solid_, Role::solid, std::nullopt};
+    operate(site, NodeKind::union_of, [&](Operator& op) { add(site, scene.shape, op); });
+    scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
+                                  std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
+  }
+
+  Scene result() { return std::move(scene_); }
+
+ private:
+  enum class Role { solid, region };
+
+  // Where half-spaces go, and the material rule that holds for them.
+  struct Site {
+    Expression& expression;
+    Role role;
+    std::optional<std::size_t> rule;
+  };
+
+  static bool is_ordinary(const Expression& expression) {
+    return std::all_of(expression.leaves.begin(), expression.leaves.end(), [](const HalfSpace& leaf) {
+      return ordinary_size.contains(leaf.normal) && ordinary_size.contains(leaf.offset);
+    });
+  }
+
+  // Lays out an operator whose operands `add_operands` adds; one with a single operand is that operand.
+  template <class AddOperands>
+  static void operate(const Site& site, NodeKind kind, AddOperands add_operands) {
+    std::vector<Node>& nodes = site.expression.nodes;
+    const std::size_t place = nodes.size();
+    nodes.push_back({.kind = kind});
+    Operator op{.kind = kind, .last_operand = std::nullopt};
+    add_operands(op);
+    const std::size_t below = nodes.size() - place - 1;
+    if (below > 0 && nodes[place + 1].size == below)
+      nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(place));
+    else
+      nodes[place].size = static_cast<std::uint32_t>(below + 1);
+  }
+
+  void add(const Site& site, const Shape& shape, Operator& op) {
+    std::visit([&](const auto& expression) { this->add(site, expression, op); }, shape.expression);
+  }
+
+  void add(const Site& site, const Everything&, Operator& op) { add_node(site, NodeKind::everything, op); }
+  void add(const Site& site, const Nothing&, Operator& op) { add_node(site, NodeKind::nothing, op); }
+
+  void add(const Site& site, const HalfSpace& half_space, Operator& op) {
+    const auto leaf = static_cast<std::uint32_t>(site.expression.leaves.size());
+    site.expression.leaves.push_back(half_space);
+    if (site.role == Role::solid) scene_.rule_of_leaf_.push_back(site.rule);
+    if (op.kind != NodeKind::intersection_of || !op.ends_in_cell(site.expression.nodes)) {
+      add_node(site, NodeKind::cell, op);
+      site.expression.nodes.back().first_leaf = leaf;
+    }
+    site.expression.nodes.back().end_leaf = leaf + 1;
+  }
+
+  void add(const Site& site, const Union& shape, Operator& op) {
+    add_operator(site, NodeKind::union_of, shape.operands, op);
+  }
+  void add(const Site& site, const Intersection& shape, Operator& op) {
+    add_operator(site, NodeKind::intersection_of, shape.operands, op);
+  }
+
+  void add(const Site& site, const Covered& cover, Operator& op) {
+    add_under_rule(site, {.material = cover.material, .region = std::nullopt, .outer_rule = site.rule},
+                   *cover.over, op);
+  }
+
+  void add(const Site& site, const Painted& paint, Operator& op) {
+    if (site.role == Role::region) return add(site, *paint.over, op);
+    const std::size_t region = scene_.regions_.size();
+    scene_.regions_.emplace_back();
+    Expression expression;
+    const Site where{expression, Role::region, std::nullopt};
+    operate(where, NodeKind::union_of, [&](Operator& root) { add(where, *paint.where, root); });
+    scene_.regions_[region] = std::move(expression);
+    add_under_rule(site, {.material = paint.material, .region = region, .outer_rule = site.rule}, *paint.over,
+                   op);
+  }
+
+  void add_under_rule(const Site& site, const MaterialRule& rule, const Shape& over, Operator& op) {
+    if (site.role == Role::region) return add(site, over, op);
+    scene_.rules_.push_back(rule);
+    add(Site{site.expression, site.role, scene_.rules_.size() - 1}, over, op);
+  }
+
+  void add_operator(const Site& site, NodeKind kind, const std::vector<Shape>& operands, Operator& op) {
+    if (kind == op.kind) {
+      for (const Shape& operand : operands) add(site, operand, op);
+      return;
+    }
+    op.last_operand = site.expression.nodes.size();
+    operate(site, kind, [&](Operator& own) {
+      for (const Shape& operand : operands) add(site, operand, own);
+    });
+  }
+
+  static void add_node(const Site& site, NodeKind kind, Operator& op) {
+    op.last_operand = site.expression.nodes.size();
+    site.expression.nodes.push_back({.kind = kind});
+  }
+
+  Scene scene_;
+};
+
+Scene compile(const groundtruth::Scene& scene) { return Compiler(scene).result(); }
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,40 @@
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "subcommand.hpp"
+
+namespace {
+
+using groundtruth::cli::Exit;
+
+int run(int argc, char** argv) {
+  CLI::App program("Ground contact, exactly: entry points, friction and the wheel's step.", "groundtruth");
+  program.require_subcommand(1);
+  program.set_help_all_flag("--help-all", "Help for every subcommand");
+  program.failure_message(CLI::FailureMessage::help);
+  std::map<const CLI::App*, groundtruth::cli::Run> runs;
+  for (const auto& add : {groundtruth::cli::add_answer}) {
+    auto run_it = add(program);
+    runs[program.get_subcommands({}).back()] = run_it;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for_help = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    program.exit(error);
+    return static_cast<int>(asked_for_help ? Exit::agrees : Exit::usage);
+  }
+  return static_cast<int>(runs.at(program.get_subcommands().front())());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "groundtruth: %s\n", error.what());
+    return static_cast<int>(Exit::unreadable);
+  }
+}

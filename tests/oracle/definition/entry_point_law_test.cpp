@@ -1,0 +1,158 @@
+#include <groundtruth/definition/entry_point.hpp>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <groundtruth/definition/number.hpp>
+
+#include "random_shapes.hpp"
+
+namespace groundtruth::definition {
+namespace {
+
+using namespace test;
+
+template <class Number>
+Number distance(const HalfSpace& h, const Triple<Number>& x) {
+  return Number(h.normal[0]) * x[0] + Number(h.normal[1]) * x[1] + Number(h.normal[2]) * x[2] - Number(h.offset);
+}
+
+// With doubles: exact as long as the numbers are as small and whole as those of random_shapes.hpp.
+template <class Number>
+bool contains(const Shape& shape, const Triple<Number>& x) {
+  const auto holds_at_x = [&](const Shape& operand) { return contains(operand, x); };
+  if (const auto* h = std::get_if<HalfSpace>(&shape.expression)) return distance(*h, x) <= 0;
+  if (const auto* u = std::get_if<Union>(&shape.expression))
+    return std::any_of(u->operands.begin(), u->operands.end(), holds_at_x);
+  if (const auto* i = std::get_if<Intersection>(&shape.expression))
+    return std::all_of(i->operands.begin(), i->operands.end(), holds_at_x);
+  return std::holds_alternative<Everything>(shape.expression);
+}
+
+std::vector<HalfSpace> leaves(const Shape& shape) {
+  if (const auto* h = std::get_if<HalfSpace>(&shape.expression)) return {*h};
+  std::vector<Shape> operands;
+  if (const auto* u = std::get_if<Union>(&shape.expression)) operands = u->operands;
+  if (const auto* i = std::get_if<Intersection>(&shape.expression)) operands = i->operands;
+  std::vector<HalfSpace> result;
+  for (const Shape& operand : operands)
+    for (const HalfSpace& leaf : leaves(operand)) result.push_back(leaf);
+  return result;
+}
+
+Triple<Rational> at(const EntryAsk& ask, const Rational& lambda) {
+  return rational(ask.from) + lambda * (rational(ask.to) - rational(ask.from));
+}
+
+// From every crossing in the range, the first whose point the solid contains.
+std::optional<Rational> first_by_trying_all(const Shape& shape, const EntryAsk& ask) {
+  std::vector<Rational> lambdas{rational(ask.lambda_first)};
+  for (const HalfSpace& leaf : leaves(shape)) {
+    const Rational a = distance(leaf, rational(ask.from)), b = distance(leaf, rational(ask.to));
+    if (a == b) continue;
+    const Rational lambda = a / (a - b);
+    if (rational(ask.lambda_first) <= lambda && lambda <= rational(ask.lambda_last)) lambdas.push_back(lambda);
+  }
+  std::sort(lambdas.begin(), lambdas.end());
+  for (const Rational& lambda : lambdas)
+    if (contains(shape, at(ask, lambda))) return lambda;
+  return std::nullopt;
+}
+
+EntryAsk some_ask() {
+  EntryAsk ask{small_vector(-1, 5), small_vector(-1, 5)};
+  if (*rc::gen::inRange(0, 3) == 0) {
+    ask.lambda_first = small(-4, 4) / 4;
+    ask.lambda_last = ask.lambda_first + small(0, 8) / 4;
+  }
+  return ask;
+}
+
+EntryFinding find(const Shape& shape, const EntryAsk& ask) { return entry_point(Scene(scene_of(shape)), ask); }
+
+RC_GTEST_PROP(EntryPointLaw, LambdaIsTheFirstMemberOfAllCrossings, ()) {
+  const Shape shape = some_shape(2);
+  const EntryAsk ask = some_ask();
+  const std::optional<Rational> expected = first_by_trying_all(shape, ask);
+  const EntryFinding found = find(shape, ask);
+  RC_ASSERT(found.evidence.lambda_exact == (expected ? expected->str() : ""));
+  RC_ASSERT(std::holds_alternative<Miss>(found.answer) == !expected);
+}
+
+RC_GTEST_PROP(EntryPointLaw, InsideMeansThatAllPointsAroundAreMembers, ()) {
+  const Shape shape = some_shape(2, 1);
+  const Vector point = small_vector(0, 4);
+  const EntryFinding found = find(shape, {point, point});
+  RC_PRE(!std::holds_alternative<Miss>(found.answer));
+  // Planes with normals of -1, 0, 1 meet in directions of at most 2 a coordinate, three of which span a cell:
+  // no cell around the point is without one of these neighbours.
+  bool all_around = true;
+  for (int x = -6; x <= 6; ++x)
+    for (int y = -6; y <= 6; ++y)
+      for (int z = -6; z <= 6; ++z)
+        all_around = all_around &&
+                     contains(shape, Vector{point[0] + x * 0x1p-9, point[1] + y * 0x1p-9, point[2] + z * 0x1p-9});
+  RC_ASSERT(std::holds_alternative<Inside>(found.answer) == all_around);
+}
+
+// SPEC section 3: a face is admissible when segments near by and parallel hit it near the entry point.
+RC_GTEST_PROP(EntryPointLaw, FacesThatNearbyParallelSegmentsHitAreAdmissible, ()) {
+  const Shape shape = some_shape(2);
+  const EntryAsk ask{small_vector(-1, 5), small_vector(-1, 5)};
+  const EntryFinding found = find(shape, ask);
+  const auto* border = std::get_if<Border>(&found.answer);
+  RC_PRE(border && border->lambda > 0);
+  std::vector<Leaf> hit_near_by;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y)
+      for (int z = -3; z <= 3; ++z) {
+        const auto shifted = [&](const Vector& v) {
+          // Odd multiples of odd powers keep clear of most planes through the entry point.
+          return Vector{v[0] + x * 0x1.01p-20, v[1] + y * 0x1.03p-20, v[2] + z * 0x1.07p-20};
+        };
+        const EntryFinding near = find(shape, {shifted(ask.from), shifted(ask.to)});
+        const auto* hit = std::get_if<Border>(&near.answer);
+        if (!hit || hit->lambda == 0 || near.evidence.admissible.size() != 1) continue;
+        if (std::abs(hit->lambda - border->lambda) < 1e-4) hit_near_by.push_back(hit->leaf);
+      }
+  const std::vector<Leaf>& admissible = found.evidence.admissible;
+  for (const Leaf leaf : hit_near_by) RC_ASSERT(std::count(admissible.begin(), admissible.end(), leaf) == 1);
+  // A face of two dimensions is hit by some of them, so if none hit, the solid is thinner than a face there.
+  if (hit_near_by.empty()) return;
+  for (const Leaf leaf : admissible)
+    RC_ASSERT(std::count(hit_near_by.begin(), hit_near_by.end(), leaf) > 0);
+}
+
+RC_GTEST_PROP(EntryPointLaw, GrowingOffsetsNeverRaisesLambda, ()) {
+  const EntryAsk ask = some_ask();
+  const double x = small(-2, 2), y = small(-2, 2), z = small(-2, 2), offset = small(-3, 3);
+  const Shape other = some_shape(1);
+  const auto with_offset = [&](double d) {
+    return first_by_trying_all(any_of({all_of({half_space(x, y, z, d), other})}), ask);
+  };
+  const EntryFinding grown = find(any_of({all_of({half_space(x, y, z, offset + 0.5), other})}), ask);
+  const std::optional<Rational> before = with_offset(offset);
+  RC_PRE(before.has_value());
+  RC_ASSERT(!grown.evidence.lambda_exact.empty());
+  RC_ASSERT(Rational(grown.evidence.lambda_exact) <= *before);
+}
+
+RC_GTEST_PROP(EntryPointLaw, ScalingAHalfSpaceChangesNothing, ()) {
+  const EntryAsk ask = some_ask();
+  const Vector n = small_vector(-2, 2);
+  const double offset = small(-3, 3);
+  const double factor = std::ldexp(1.0, *rc::gen::inRange(-900, 900));
+  const Shape other = some_shape(1);
+  const auto solid = [&](double f) {
+    return any_of({all_of({half_space(n[0] * f, n[1] * f, n[2] * f, offset * f), other}), other});
+  };
+  const EntryFinding plain = find(solid(1), ask), scaled = find(solid(factor), ask);
+  RC_ASSERT(scaled.evidence.lambda_exact == plain.evidence.lambda_exact);
+  RC_ASSERT(scaled.evidence.admissible == plain.evidence.admissible);
+}
+
+}  // namespace
+}  // namespace groundtruth::definition
