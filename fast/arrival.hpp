@@ -12,8 +12,8 @@ namespace groundtruth::fast {
 template <class Number>
 struct Arrival {
   Number lambda;
-  // The leaf that is entered there, where it is known that lambda > range.first and that no other leaf's
-  // plane that matters is met at the same lambda.
+  // The leaf that is entered there, where it is known that lambda > range.first and that no other leaf of
+  // the solid that counts there is entered at the same lambda: then only this one can be admissible.
   std::optional<Leaf> sole_leaf;
 };
 
@@ -24,7 +24,6 @@ std::optional<Arrival<Number>> arrive_at_cell(const HalfSpace* first_leaf, const
                                               Range<Number> range) {
   Arrival<Number> arrival{range.first, std::nullopt};
   Number exit = range.last;
-  bool runs_in_a_face = false;
   for (const HalfSpace* leaf = first_leaf; leaf != end_leaf; ++leaf, ++number) {
     const Approach<Number> approach = segment.approach(*leaf);
     if (approach.enters()) {
@@ -38,11 +37,8 @@ std::optional<Arrival<Number>> arrive_at_cell(const HalfSpace* first_leaf, const
     } else if (approach.leaves()) {
       exit = std::min(exit, approach.crossing());
       if (exit < arrival.lambda) return std::nullopt;
-    } else if (approach.value == 0) {
-      runs_in_a_face = true;
     }
   }
-  if (runs_in_a_face || exit == arrival.lambda) arrival.sole_leaf.reset();
   return arrival;
 }
 

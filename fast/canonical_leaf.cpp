@@ -9,7 +9,6 @@ namespace {
 struct View {
   bool at = false;                 // v itself belongs to it
   bool outward = false;            // v, turned a little outward from the leaf
-  bool inward = false;             // v, turned a little inward
   Value simplified = Value::open;  // with all leaves of other planes replaced by their values at v
   bool leaf_stands = false;        // the leaf is still there then
 };
@@ -30,20 +29,19 @@ class SectorView {
   View of_leaf(Leaf leaf) const {
     const HalfSpace& half_space = solid_.leaves[leaf];
     const Truth truth = sector_.contains(half_space);
-    if (truth == Truth::yes) return {true, true, true, Value::everything, false};
-    if (truth == Truth::no) return {false, false, false, Value::nothing, false};
+    if (truth == Truth::yes) return {true, true, Value::everything, false};
+    if (truth == Truth::no) return {false, false, Value::nothing, false};
     const bool alike = sector_.faces_alike(half_space);
-    return {true, !alike, alike, Value::open, leaf == leaf_};
+    return {true, !alike, Value::open, leaf == leaf_};
   }
 
   View of_union(const LocalNode* node) const {
-    View all{false, false, false, Value::nothing, false};
+    View all{false, false, Value::nothing, false};
     for (const LocalNode* operand = node + 1; operand != node + node->size; operand += operand->size) {
       const View one = of(operand);
       if (one.simplified == Value::everything) return one;
       all.at |= one.at;
       all.outward |= one.outward;
-      all.inward |= one.inward;
       all.leaf_stands |= one.leaf_stands;
       if (one.simplified == Value::open) all.simplified = Value::open;
     }
@@ -51,13 +49,12 @@ class SectorView {
   }
 
   View of_intersection(const LocalNode* node) const {
-    View all{true, true, true, Value::everything, false};
+    View all{true, true, Value::everything, false};
     for (const LocalNode* operand = node + 1; operand != node + node->size; operand += operand->size) {
       const View one = of(operand);
       if (one.simplified == Value::nothing) return one;
       all.at &= one.at;
       all.outward &= one.outward;
-      all.inward &= one.inward;
       all.leaf_stands |= one.leaf_stands;
       if (one.simplified == Value::open) all.simplified = Value::open;
     }
@@ -93,13 +90,14 @@ bool bounds(const LocalShape& shape, const Expression& solid, Leaf leaf) {
 
 }  // namespace
 
-// Every region into which the planes cut space has a sector in its border: looking at both sides of all
-// sectors looks at all regions.
+// If a region into which the planes cut space is missing from the shape, take a sector in its border. Outward
+// of some leaf in the sector's plane there is that region itself or one in which fewer leaves are true: it is
+// missing too. So looking outward finds whatever is missing.
 bool is_interior(const LocalShape& shape, const Expression& solid) {
   if (shape.value != Value::open) return shape.value == Value::everything;
   for (const LocalNode& node : shape.nodes) {
     if (node.kind == NodeKind::cell &&
-        some_sector(shape, solid, node.leaf, [](const View& view) { return !view.outward || !view.inward; }))
+        some_sector(shape, solid, node.leaf, [](const View& view) { return !view.outward; }))
       return false;
   }
   return true;

@@ -21,7 +21,7 @@ std::int64_t tent(std::int64_t i, std::int64_t period) {
 double height(std::size_t i, std::size_t j) {
   const auto x = static_cast<std::int64_t>(i);
   const auto y = static_cast<std::int64_t>(j);
-  const std::int64_t quarters = 2 * tent(x + 2 * y, 11) + 3 * tent(3 * x + y, 7) - 4;
+  const std::int64_t quarters = 3 * tent(x + y, 16) + 2 * tent(x + 3 * y, 20) - 18;
   return static_cast<double>(quarters < 0 ? 0 : quarters) / 4;
 }
 

@@ -14,7 +14,7 @@ int run(int argc, char** argv) {
   program.set_help_all_flag("--help-all", "Help for every subcommand");
   program.failure_message(CLI::FailureMessage::help);
   std::map<const CLI::App*, groundtruth::cli::Run> runs;
-  for (const auto& add : {groundtruth::cli::add_answer}) {
+  for (const auto& add : {groundtruth::cli::add_answer, groundtruth::cli::add_check}) {
     auto run_it = add(program);
     runs[program.get_subcommands({}).back()] = run_it;
   }

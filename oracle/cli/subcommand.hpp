@@ -15,5 +15,6 @@ enum class Exit { agrees = 0, disagrees = 1, usage = 2, unreadable = 3 };
 using Run = std::function<Exit()>;
 
 Run add_answer(CLI::App& program);
+Run add_check(CLI::App& program);
 
 }  // namespace groundtruth::cli

@@ -5,13 +5,15 @@
 namespace groundtruth::as_written {
 namespace {
 
+constexpr std::size_t million = 1'000'000;
+
 class Recursion {
  public:
   Recursion(const Expression& expression, const Segment& segment, const Errata& errata)
       : expression_(expression),
         segment_(segment),
         errata_(errata),
-        replacements_left_((expression.size() + 2) * (expression.size() + 2)) {}
+        replacements_left_(std::max(million, (expression.size() + 2) * (expression.size() + 2))) {}
 
   std::optional<Reached> phi(double lambda_1, double lambda_2, std::size_t node) {
     switch (expression_[node].operation) {
@@ -101,7 +103,7 @@ class Recursion {
             (found->lambda == reached.lambda && found->face && !reached.face)) {
           reached = *found;
           last_to_replace = operand;
-          if (reached.lambda > lambda_2 || replacements_left-- == 0 || replacements_left_-- == 0) {
+          if (reached.lambda > lambda_2 || !take_one(replacements_left) || !take_one(replacements_left_)) {
             return reached;
           }
         }
@@ -110,6 +112,14 @@ class Recursion {
         return reached;
       }
     }
+  }
+
+  static bool take_one(std::size_t& left) {
+    if (left == 0) {
+      return false;
+    }
+    --left;
+    return true;
   }
 
   bool is_single_pass(std::size_t node) const {

@@ -20,9 +20,10 @@ struct Reached {
 // With Erratum::normal_by_order a half-space is asked at the ends of whatever part of the range is left, as
 // in the source; without it, always at the ends of the whole range (Segment::entry), for the faces' sake.
 //
-// An intersection replaces its answer at most (nodes below it) + 2 times, and all of them together at most
-// (nodes + 2)^2 times. Exact numbers never need more than (leaves) + 2; where rounding does, the answer
-// stays what it is by then, which may be wrong: that is what bounds the time.
+// The source's restarts may multiply with the nesting, and rounding may have two operands push each other on
+// by ulps. So an intersection replaces its answer at most (nodes below it) + 2 times (exact numbers never
+// need more than leaves + 2), and all of them together at most max(1,000,000, (nodes + 2)^2) times. What
+// stands by then is the answer, which may be wrong: that is what bounds the time.
 std::optional<Reached> first_reached(const Expression& expression, const Segment& segment,
                                      const Errata& errata);
 

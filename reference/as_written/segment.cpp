@@ -14,6 +14,10 @@ Side side_of_distance(double distance) {
   return distance == 0 ? Side::on : Side::outside;
 }
 
+double distance_of(const Vector& point, const HalfSpace& half_space) {
+  return dot(half_space.normal, point) - half_space.offset;
+}
+
 }  // namespace
 
 std::optional<double> crossing(double lambda_1, double lambda_2, double mu_1, double mu_2) {
@@ -36,17 +40,19 @@ Segment::Segment(const EntryAsk& ask)
     : from_(ask.from),
       direction_(minus(ask.to, ask.from)),
       first_(ask.lambda_first),
-      last_(ask.lambda_last) {}
+      last_(ask.lambda_last),
+      at_first_(at(first_)),
+      at_last_(at(last_)) {}
 
 Vector Segment::at(double lambda) const { return plus(from_, times(lambda, direction_)); }
 
 double Segment::distance(const HalfSpace& half_space, double lambda) const {
-  return dot(half_space.normal, at(lambda)) - half_space.offset;
+  return distance_of(at(lambda), half_space);
 }
 
 std::optional<double> Segment::entry(const HalfSpace& half_space) const {
-  const double mu_1 = distance(half_space, first_);
-  const double mu_2 = distance(half_space, last_);
+  const double mu_1 = distance_of(at_first_, half_space);
+  const double mu_2 = distance_of(at_last_, half_space);
   if (mu_1 > 0 && mu_2 <= 0) {
     return crossing(first_, last_, mu_1, mu_2);
   }
@@ -54,8 +60,8 @@ std::optional<double> Segment::entry(const HalfSpace& half_space) const {
 }
 
 Side Segment::side(const HalfSpace& half_space, double lambda) const {
-  const double mu_1 = distance(half_space, first_);
-  const double mu_2 = distance(half_space, last_);
+  const double mu_1 = distance_of(at_first_, half_space);
+  const double mu_2 = distance_of(at_last_, half_space);
   const Side at_first = side_of_distance(mu_1);
   const Side at_last = side_of_distance(mu_2);
   if (at_first == at_last) {

@@ -41,6 +41,8 @@ class Segment {
   Vector direction_;
   double first_;
   double last_;
+  Vector at_first_;
+  Vector at_last_;
 };
 
 // The source's lambda_1 - mu_1 (lambda_2 - lambda_1) / (mu_2 - mu_1), kept within [lambda_1, lambda_2];

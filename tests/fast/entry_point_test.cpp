@@ -107,6 +107,11 @@ TEST(FastUnion, OfComplementsIsInteriorInTheirPlane) {
   EXPECT_EQ(enter(all, {{0, 0, 0}, {1, 0, 0}}), EntryAnswer(Inside{0}));
 }
 
+TEST(FastUnion, CoveringACornerLeavesItNoFaceThoughItIsEnteredFirst) {
+  const Shape covered = unite({box({0, 0, 0}, {1, 1, 1}), half_space({-1, -1, 0}, 0)});
+  EXPECT_EQ(enter(covered, {{-1, 0, 0.5}, {1, 0, 0.5}}), border(0.5, 6, {-1, -1, 0}));
+}
+
 TEST(FastUnion, CoveringALeafLeavesNoFace) {
   const Shape covered = unite({half_space({1, 0, 0}, 0), half_space({1, 0, 0}, 1)});
   EXPECT_EQ(enter(covered, {{0, 0, 0}, {1, 0, 0}}), EntryAnswer(Inside{0}));

@@ -1,11 +1,11 @@
-#include <groundtruth/definition/clip.hpp>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cmath>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <groundtruth/definition/clip.hpp>
 
 namespace groundtruth::definition {
 namespace {
@@ -15,7 +15,8 @@ using Floats = std::array<Float, 3>;
 
 double some_double(int exponents) {
   const double mantissa = *rc::gen::inRange(-4096, 4097);
-  return std::ldexp(mantissa * (1 + *rc::gen::inRange(0, 1000) * 0x1p-40), *rc::gen::inRange(-exponents, 1) - 10);
+  return std::ldexp(mantissa * (1 + *rc::gen::inRange(0, 1000) * 0x1p-40),
+                    *rc::gen::inRange(-exponents, 1) - 10);
 }
 
 ClipAsk some_ask() {
@@ -35,7 +36,9 @@ Floats by_cases(const ClipAsk& ask) {
   const Floats X{-n[2] / r, 0, n[0] / r};
   const Floats Y{-n[0] * n[1] / (r * length), r / length, -n[1] * n[2] / (r * length)};
   const Floats Z{-n[0] / length, -n[1] / length, -n[2] / length};
-  const auto dot = [](const Floats& a, const Floats& b) -> Float { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto dot = [](const Floats& a, const Floats& b) -> Float {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
   const Float x = dot(X, F), y = dot(Y, F), z = dot(Z, F), reach = ask.friction * abs(z), B = ask.brake;
   if (abs(x) <= B && x * x + y * y <= reach * reach) return F;
   Float h_x = reach * x / sqrt(x * x + y * y), h_y = reach * y / sqrt(x * x + y * y);

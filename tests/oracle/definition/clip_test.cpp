@@ -1,8 +1,8 @@
-#include <groundtruth/definition/clip.hpp>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <groundtruth/definition/clip.hpp>
 
 namespace groundtruth::definition {
 namespace {

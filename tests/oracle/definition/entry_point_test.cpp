@@ -1,6 +1,6 @@
-#include <groundtruth/definition/entry_point.hpp>
-
 #include <gtest/gtest.h>
+
+#include <groundtruth/definition/entry_point.hpp>
 
 #include "shapes.hpp"
 
@@ -10,7 +10,8 @@ namespace {
 using namespace test;
 using Leaves = std::vector<Leaf>;
 
-EntryFinding ask(const Shape& shape, const Vector& from, const Vector& to, double first = 0, double last = 1) {
+EntryFinding ask(const Shape& shape, const Vector& from, const Vector& to, double first = 0,
+                 double last = 1) {
   return entry_point(Scene(scene_of(shape)), {from, to, first, last});
 }
 
@@ -71,8 +72,9 @@ TEST(EntryPoint, OfASegmentThatIsAPoint) {
 
 TEST(EntryPoint, NeedsNoConvexSolid) {
   // Enters the first slab's planes and leaves them again before it comes to the second slab.
-  const Shape slabs = any_of({all_of({half_space(-1, 0, 0, -1), half_space(1, 0, 0, 2), half_space(0, 1, 0, -9)}),
-                              all_of({half_space(-1, 0, 0, -3), half_space(1, 0, 0, 4)})});
+  const Shape slabs =
+      any_of({all_of({half_space(-1, 0, 0, -1), half_space(1, 0, 0, 2), half_space(0, 1, 0, -9)}),
+              all_of({half_space(-1, 0, 0, -3), half_space(1, 0, 0, 4)})});
   EXPECT_EQ(border(ask(slabs, {0, 0, 0}, {8, 0, 0})), (Hit{"3/8", {3}}));
 }
 
@@ -90,8 +92,8 @@ TEST(EntryPoint, OfASheetIsTheSideThatIsEntered) {
 
 TEST(EntryPoint, OfAnEdgeThinnerThanAFaceTakesTheEnteredLeavesThatStand) {
   // The x axis, as two crossing sheets.
-  const Shape line = all_of({half_space(0, 0, 1, 0), half_space(0, 0, -1, 0), half_space(0, 1, 0, 0),
-                             half_space(0, -1, 0, 0)});
+  const Shape line = all_of(
+      {half_space(0, 0, 1, 0), half_space(0, 0, -1, 0), half_space(0, 1, 0, 0), half_space(0, -1, 0, 0)});
   EXPECT_EQ(border(ask(line, {0, 0, 2}, {0, 0, -2})), (Hit{"1/2", {0}}));
   EXPECT_EQ(border(ask(line, {0, -2, 2}, {0, 2, -2})), (Hit{"1/2", {0, 3}}));
   EXPECT_EQ(border(ask(line, {0, 0, 0}, {1, 0, 0})), (Hit{"0", {0, 1, 2, 3}}));
@@ -154,7 +156,9 @@ TEST(EntryPoint, OfHalvesThatMakeAllOfSpaceIsInside) {
 }
 
 TEST(EntryPoint, KnowsQuartersThatMeetInALineFromAllOfSpace) {
-  const auto quarter = [](double x, double y) { return all_of({half_space(x, 0, 0, 0), half_space(0, y, 0, 0)}); };
+  const auto quarter = [](double x, double y) {
+    return all_of({half_space(x, 0, 0, 0), half_space(0, y, 0, 0)});
+  };
   const Shape three = any_of({quarter(1, 1), quarter(1, -1), quarter(-1, 1)});
   EXPECT_EQ(border(ask(three, {0, 0, 0}, {1, 1, 0})), (Hit{"0", {2, 5}}));
   const Shape four = any_of({quarter(1, 1), quarter(1, -1), quarter(-1, 1), quarter(-1, -1)});

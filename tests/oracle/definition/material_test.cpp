@@ -1,6 +1,6 @@
-#include <groundtruth/definition/entry_point.hpp>
-
 #include <gtest/gtest.h>
+
+#include <groundtruth/definition/entry_point.hpp>
 
 #include "shapes.hpp"
 

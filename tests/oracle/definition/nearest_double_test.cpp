@@ -1,12 +1,12 @@
-#include <groundtruth/definition/nearest_double.hpp>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <groundtruth/definition/nearest_double.hpp>
 
 namespace groundtruth::definition {
 namespace {
@@ -57,8 +57,8 @@ TEST(NearestDouble, RoundsSubnormalsAtTheirOwnUnit) {
 }
 
 TEST(NearestDouble, GivesPlusZeroForWhatVanishes) {
-  for (const Rational& x : {Rational(0), Rational(power(-1074) / 2), Rational(-power(-1074) / 2),
-                            Rational(-power(-1074) / 3)}) {
+  for (const Rational& x :
+       {Rational(0), Rational(power(-1074) / 2), Rational(-power(-1074) / 2), Rational(-power(-1074) / 3)}) {
     ASSERT_EQ(nearest(x), 0.0);
     EXPECT_FALSE(std::signbit(*nearest_double(x)));
     EXPECT_FALSE(std::signbit(*nearest_double(disguised(x))));

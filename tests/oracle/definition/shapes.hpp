@@ -9,7 +9,9 @@
 
 namespace groundtruth::definition::test {
 
-inline Shape half_space(double x, double y, double z, double offset) { return {HalfSpace{{x, y, z}, offset}}; }
+inline Shape half_space(double x, double y, double z, double offset) {
+  return {HalfSpace{{x, y, z}, offset}};
+}
 inline Shape any_of(std::vector<Shape> operands) { return {Union{std::move(operands)}}; }
 inline Shape all_of(std::vector<Shape> operands) { return {Intersection{std::move(operands)}}; }
 

@@ -1,11 +1,10 @@
-#include <groundtruth/definition/surd.hpp>
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <groundtruth/definition/real.hpp>
+#include <groundtruth/definition/surd.hpp>
 
 namespace groundtruth::definition {
 namespace {
@@ -57,7 +56,8 @@ TEST(Surd, SignSeesThroughRootsThatDependOnEachOther) {
   EXPECT_EQ((root(8) - Rational(2) * root(2)).sign(), 0);
   EXPECT_EQ((root(6) - root(2) * root(3)).sign(), 0);
   EXPECT_EQ((Real::root(4) - Real(2)).sign(), 0);
-  EXPECT_EQ((root(6) + root(10) + root(15) - root(2) * root(3) - root(2) * root(5) - root(3) * root(5)).sign(), 0);
+  EXPECT_EQ(
+      (root(6) + root(10) + root(15) - root(2) * root(3) - root(2) * root(5) - root(3) * root(5)).sign(), 0);
 }
 
 TEST(Surd, InverseOfANumberWhoseConjugateIsZero) {

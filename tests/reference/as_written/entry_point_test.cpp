@@ -109,9 +109,9 @@ TEST(EntryPoint, OutermostPaintThatHoldsAtThePointGivesTheMaterial) {
   EXPECT_EQ(material_at(2), puddle);
 }
 
-TEST(EntryPoint, RestartsThatMultiplyWithTheNestingEnd) {
-  // Every level finds a sliver before its wall, and so asks the level below it twice.
-  const int levels = 40;
+// The half-space x >= `levels`, behind so many levels each of which finds a sliver before its own wall, and
+// so asks the level below it twice.
+Shape doubling(int levels) {
   Shape shape = at_least(levels);
   for (int level = 1; level < levels; ++level) {
     const double wall = levels - level;
@@ -119,8 +119,13 @@ TEST(EntryPoint, RestartsThatMultiplyWithTheNestingEnd) {
     shape = intersection_of(
         {union_of({std::move(shape), intersection_of({at_least(sliver), at_most(sliver)})}), at_least(wall)});
   }
-  const EntryAnswer answer = entry_point(bare(std::move(shape)), along_x(0, 64), none);
-  EXPECT_FALSE(std::holds_alternative<Inside>(answer));
+  return shape;
+}
+
+TEST(EntryPoint, RestartsMultiplyWithTheNestingYetEnd) {
+  const Border behind_all{0.125, 0, {-1, 0, 0}, std::nullopt};
+  EXPECT_EQ(entry_point(bare(doubling(8)), along_x(0, 64), none), EntryAnswer(behind_all));
+  EXPECT_FALSE(std::holds_alternative<Inside>(entry_point(bare(doubling(40)), along_x(0, 64), none)));
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include <groundtruth/campaign/campaign.hpp>
+#include <groundtruth/cases/builtin_scenes.hpp>
+#include <groundtruth/implementations/engine.hpp>
+#include <groundtruth/report/check_report.hpp>
+#include <groundtruth/text/ask_text.hpp>
+#include <groundtruth/text/scene_text.hpp>
+
+#include "progress_bar.hpp"
+#include "subcommand.hpp"
+
+namespace groundtruth::cli {
+namespace {
+
+struct Options {
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 100000;
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::string> scenes;  // files or built-in names; none: all built-in ones
+  std::string show;
+  bool json = false;
+};
+
+struct NamedPack {
+  std::string name;
+  std::vector<Scene> pack;
+};
+
+NamedPack pack_named(const std::string& name) {
+  if (const auto* builtin = cases::find_builtin_scene(name)) return {name, builtin->build()};
+  return {name, {read_scene_file(name)}};
+}
+
+std::vector<NamedPack> packs_of(const Options& options) {
+  std::vector<NamedPack> packs;
+  for (const std::string& name : options.scenes) packs.push_back(pack_named(name));
+  if (!options.scenes.empty()) return packs;
+  for (const auto& builtin : cases::builtin_scenes()) {
+    packs.push_back({std::string(builtin.name), builtin.build()});
+  }
+  return packs;
+}
+
+// SCENE:PART:INDEX, as the report writes it. A file's name may have colons in it.
+Exit show(const Options& options) {
+  const auto second = options.show.rfind(':');
+  const auto first = second == std::string::npos || second == 0 ? second : options.show.rfind(':', second - 1);
+  if (first == std::string::npos) throw CLI::ValidationError("--show", options.show + " is not SCENE:PART:INDEX");
+  const NamedPack named = pack_named(options.show.substr(0, first));
+  const std::size_t part = std::stoul(options.show.substr(first + 1, second - first - 1));
+  const std::uint64_t index = std::stoull(options.show.substr(second + 1));
+  if (part >= named.pack.size()) throw CLI::ValidationError("--show", options.show + ": there is no such part");
+  const auto source = campaign::asks_for({named.pack, {}, options.seed, 0, 1}, part);
+  fmt::print("{}\n{}\n", write_scene_line(named.pack[part]),
+             write_ask("\"" + options.show + "\"", source.ask_at(index).ask));
+  return Exit::agrees;
+}
+
+report::CheckedScene check(const NamedPack& named, const Options& options, std::uint64_t cases, ProgressBar& bar) {
+  report::CheckedScene checked{named.name, 0, implementations::engine_names(), {}};
+  for (const Scene& scene : named.pack) checked.leaves += campaign::number_of_leaves(scene.shape);
+  const campaign::Plan plan{named.pack, checked.engines, options.seed, cases, options.jobs};
+  checked.tallies = campaign::run(plan, [&](std::uint64_t done) { bar.show(named.name, done, cases); });
+  return checked;
+}
+
+std::uint64_t disagreements_of(const report::CheckedScene& checked, std::string_view engine) {
+  for (std::size_t i = 0; i < checked.engines.size(); ++i) {
+    if (checked.engines[i] == engine) return checked.tallies[i].disagreements();
+  }
+  return 0;
+}
+
+void print(const report::CheckedScene& checked, const Options& options) {
+  if (options.json) {
+    fmt::print("{}", report::json_of(checked));
+    return;
+  }
+  fmt::print("{}", report::table_of(checked));
+  const std::string show_command = fmt::format("groundtruth check --seed {} --show", options.seed);
+  for (std::size_t i = 1; i < checked.engines.size(); ++i) {
+    if (checked.engines[i] != "as-written") fmt::print("{}", report::findings_of(checked, i, show_command));
+  }
+  fmt::print("\n");
+}
+
+Exit run(const Options& options) {
+  if (!options.show.empty()) return show(options);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<NamedPack> packs = packs_of(options);
+  if (!options.json) fmt::print("seed {}, {} asks, {} jobs\n\n", options.seed, options.cases, options.jobs);
+  std::uint64_t wrong = 0;
+  ProgressBar bar;
+  for (std::size_t i = 0; i < packs.size(); ++i) {
+    const std::uint64_t cases = options.cases / packs.size() + (i < options.cases % packs.size() ? 1 : 0);
+    const report::CheckedScene checked = check(packs[i], options, cases, bar);
+    bar.clear();
+    print(checked, options);
+    std::fflush(stdout);
+    wrong += disagreements_of(checked, "definition");
+  }
+  if (!options.json) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    fmt::print("exact and definition {}; {:.1f} s\n",
+               wrong == 0 ? "agree" : fmt::format("DISAGREE on {} asks", wrong), seconds.count());
+  }
+  return wrong == 0 ? Exit::agrees : Exit::disagrees;
+}
+
+}  // namespace
+
+Run add_check(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("check", "Puts the same asks to every engine and counts where they differ");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--seed", options->seed, "Of the asks")->capture_default_str();
+  command->add_option("--cases", options->cases, "How many asks, shared out over the scenes")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+  command->add_option("--scene", options->scenes, "A scene file or the name of a built-in scene; may be repeated");
+  command->add_option("--show", options->show, "Print the scene and the ask SCENE:PART:INDEX, for groundtruth answer");
+  command->add_flag("--json", options->json, "One JSON object a scene and engine");
+  return [options] { return run(*options); };
+}
+
+}  // namespace groundtruth::cli
