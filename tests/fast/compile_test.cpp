@@ -1,8 +1,7 @@
 #include <groundtruth/fast/scene.hpp>
 
-#include "shapes.hpp"
-
 #include <gtest/gtest.h>
+#include <groundtruth/tests/fast/shapes.hpp>
 
 namespace groundtruth {
 namespace {

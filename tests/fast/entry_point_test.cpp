@@ -1,8 +1,7 @@
 #include <groundtruth/fast/entry_point.hpp>
 
-#include "shapes.hpp"
-
 #include <gtest/gtest.h>
+#include <groundtruth/tests/fast/shapes.hpp>
 
 namespace groundtruth {
 namespace {

@@ -1,7 +1,5 @@
 // Any doubles at all: fast need not be right about them yet, but it must answer, and without NaN.
 
-#include "shapes.hpp"
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <groundtruth/fast/clip.hpp>
 #include <groundtruth/fast/entry_point.hpp>
 #include <groundtruth/fast/step.hpp>
+#include <groundtruth/tests/fast/shapes.hpp>
 
 namespace groundtruth {
 namespace {

@@ -23,10 +23,16 @@ TEST(Random, BelowReachesEveryValueAboutAsOften) {
   for (int count : counts) EXPECT_NEAR(count, 1000, 150);
 }
 
-TEST(Random, BelowStaysBelowAnEvenlyUndividingCount) {
-  // Of 2^64 values only the first 3 * 2^62 are used here, so one draw in four is repeated.
+TEST(Random, BelowIsUniformForACountThatDoesNotDivideTheRange) {
+  // The remainders of 64 bits by 3 * 2^62 are below 2^62 half of the time, not a third of it.
   Random random(2);
-  for (int i = 0; i < 1000; ++i) EXPECT_LT(random.below(3ull << 62), 3ull << 62);
+  int in_first_third = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::uint64_t value = random.below(3ull << 62);
+    ASSERT_LT(value, 3ull << 62);
+    in_first_third += value < 1ull << 62;
+  }
+  EXPECT_NEAR(in_first_third, 1000, 150);
 }
 
 TEST(Random, BetweenReachesBothEnds) {

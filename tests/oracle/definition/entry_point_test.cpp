@@ -143,6 +143,15 @@ TEST(EntryPoint, OfTwoBoxesWithOneTopPlaneIsTheTopOfTheOneBelow) {
   EXPECT_EQ(border(ask(boxes, {1.5, 0.5, 2}, {1.5, 0.5, 0})), (Hit{"1/2", {11}}));
 }
 
+TEST(EntryPoint, InACavityTakesFacesThatNoNearbySegmentReaches) {
+  // Beside the pit x > 0, y > 0, z < 0 its wall x = 0 is entered, but only from within the pit.
+  const Shape pit =
+      any_of({all_of({half_space(0, 1, 0, 0), half_space(0, 0, 1, 0)}),
+              all_of({half_space(0, -1, 0, 0), half_space(0, 0, -1, 0)}),
+              all_of({half_space(1, 0, 0, 0), half_space(0, -1, 0, 0), half_space(0, 0, 1, 0)})});
+  EXPECT_EQ(border(ask(pit, {1, -1, 1}, {-1, 1, -1})), (Hit{"1/2", {1, 2, 4}}));
+}
+
 TEST(EntryPoint, OfTwoFacesInOnePlaneIsEither) {
   const Shape twice = any_of({half_space(0, 0, 1, 0), half_space(0, 0, 2, 0)});
   EXPECT_EQ(border(ask(twice, {0, 0, 1}, {0, 0, -1})), (Hit{"1/2", {0, 1}}));
