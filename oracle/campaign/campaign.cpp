@@ -8,6 +8,9 @@
 #include <memory>
 #include <mutex>
 
+#include <groundtruth/cases/random.hpp>
+#include <groundtruth/cases/shape_parts.hpp>
+
 namespace groundtruth::campaign {
 namespace {
 
@@ -58,7 +61,7 @@ std::vector<Part> prepare(const Plan& plan) {
     Part part{asks_for(plan, i), {}};
     for (const auto& engine : engines) {
       const bool slow = engine->name() == "definition";
-      const Sampling sampling = slow ? definition_sampling(number_of_leaves(scene.shape)) : Sampling{};
+      const Sampling sampling = slow ? definition_sampling(cases::leaf_count(scene.shape)) : Sampling{};
       part.engines.push_back({engine->on(scene), sampling});
     }
     parts.push_back(std::move(part));
@@ -75,7 +78,8 @@ class Worker {
     asks_.clear();
     for (std::uint64_t i = batch.first; i < batch.end; ++i) asks_.push_back(part.source.ask_at(i).ask);
     exact_.resize(asks_.size());
-    for (std::size_t engine = 0; engine < tallies_.size(); ++engine) answer(batch, part.engines[engine], engine);
+    for (std::size_t engine = 0; engine < tallies_.size(); ++engine)
+      answer(batch, part.engines[engine], engine);
   }
 
   const std::vector<Tally>& tallies() const { return tallies_; }
@@ -105,32 +109,16 @@ class Worker {
   std::vector<Answered> exact_;
 };
 
-struct CountLeaves {
-  std::size_t operator()(const Everything&) const { return 0; }
-  std::size_t operator()(const Nothing&) const { return 0; }
-  std::size_t operator()(const HalfSpace&) const { return 1; }
-  std::size_t operator()(const Union& united) const { return sum(united.operands); }
-  std::size_t operator()(const Intersection& intersected) const { return sum(intersected.operands); }
-  std::size_t operator()(const Covered& covered) const { return number_of_leaves(*covered.over); }
-  std::size_t operator()(const Painted& painted) const { return number_of_leaves(*painted.over); }
-
-  static std::size_t sum(const std::vector<Shape>& operands) {
-    std::size_t leaves = 0;
-    for (const Shape& operand : operands) leaves += number_of_leaves(operand);
-    return leaves;
-  }
-};
-
 }  // namespace
-
-std::size_t number_of_leaves(const Shape& shape) { return std::visit(CountLeaves{}, shape.expression); }
 
 Sampling definition_sampling(std::size_t leaves) {
   const std::uint64_t large = leaves / 256;
   return {1 + large * 2, 2, 8 + large};
 }
 
-cases::AskSource asks_for(const Plan& plan, std::size_t part) { return {plan.pack[part], plan.seed + part}; }
+cases::AskSource asks_for(const Plan& plan, std::size_t part) {
+  return {plan.pack[part], cases::seed_of_part(plan.seed, part)};
+}
 
 std::vector<Tally> run(const Plan& plan, const std::function<void(std::uint64_t)>& progress) {
   const std::vector<Part> parts = prepare(plan);

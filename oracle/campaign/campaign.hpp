@@ -24,8 +24,6 @@ struct Sampling {
 // What the definition can answer of a scene with this many leaves in the time of a check.
 Sampling definition_sampling(std::size_t leaves);
 
-std::size_t number_of_leaves(const Shape& shape);
-
 struct Plan {
   std::vector<Scene> pack;           // the asks are shared out over its scenes
   std::vector<std::string> engines;  // names that make_engine() knows; the first is the exact one
@@ -37,9 +35,9 @@ struct Plan {
 // The asks put to a scene of the pack; a function of the plan's seed and the scene and its place alone.
 cases::AskSource asks_for(const Plan& plan, std::size_t part);
 
-// Puts the plan's asks to every engine and counts, an engine after the other on each few asks, so that what slows
-// the machine slows all. One tally an engine. `progress` is given the number of asks done now and then, never
-// from two threads at once.
+// Puts the plan's asks to every engine and counts, an engine after the other on each few asks, so that what
+// slows the machine slows all. One tally an engine. `progress` is given the number of asks done now and then,
+// never from two threads at once.
 std::vector<Tally> run(const Plan& plan, const std::function<void(std::uint64_t)>& progress);
 
 }  // namespace groundtruth::campaign

@@ -6,7 +6,8 @@ namespace groundtruth::campaign {
 namespace {
 
 void keep_worst(Worst& kept, const Worst& other) {
-  if (other.ulps > kept.ulps || (other.ulps == kept.ulps && kept.ulps > 0 && other.place < kept.place)) kept = other;
+  if (other.ulps > kept.ulps || (other.ulps == kept.ulps && kept.ulps > 0 && other.place < kept.place))
+    kept = other;
 }
 
 }  // namespace

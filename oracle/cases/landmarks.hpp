@@ -30,7 +30,7 @@ struct Landmarks {
   std::vector<Material> materials;
 };
 
-// Takes time proportional to the scene's size, about a microsecond a leaf.
+// Takes time proportional to the scene's size, one or two microseconds a leaf.
 Landmarks survey(const Scene& scene);
 
 // A point where three planes of a piece meet. Planes from `Piece::size()` on are those of the box around the

@@ -53,8 +53,8 @@ std::vector<Input> open_inputs(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     File opened(open(file.c_str(), O_RDONLY | O_CLOEXEC));
     if (opened.descriptor() < 0 || std::filesystem::is_directory(file)) {
-      throw std::runtime_error(file + ": cannot be read: " +
-                               std::strerror(opened.descriptor() < 0 ? errno : EISDIR));
+      throw std::runtime_error(
+          file + ": cannot be read: " + std::strerror(opened.descriptor() < 0 ? errno : EISDIR));
     }
     inputs.push_back({file, std::filesystem::path(file).parent_path(), std::move(opened)});
   }
@@ -78,7 +78,8 @@ void write_all(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = write(STDOUT_FILENO, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw std::runtime_error(std::string("answers cannot be written: ") + std::strerror(errno));
+    if (count < 0)
+      throw std::runtime_error(std::string("answers cannot be written: ") + std::strerror(errno));
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -109,8 +110,8 @@ void answer_all(const Input& input, const implementations::Engine& engine) {
 Exit run(const Options& options) {
   const auto engine = implementations::make_engine(options.engine, options.digits);
   if (engine == nullptr) {
-    fmt::print(stderr, "groundtruth answer: --engine: {} is none of {}, as-written:ERRATUM,...\n", options.engine,
-               fmt::join(implementations::engine_names(), ", "));
+    fmt::print(stderr, "groundtruth answer: --engine: {} is none of {}, as-written:ERRATUM,...\n",
+               options.engine, fmt::join(implementations::engine_names(), ", "));
     return Exit::usage;
   }
   for (const Input& input : open_inputs(options.files)) answer_all(input, *engine);

@@ -1,14 +1,14 @@
-#include <unistd.h>
-
 #include <chrono>
-#include <filesystem>
 #include <memory>
+#include <optional>
+#include <regex>
 #include <thread>
 
 #include <fmt/core.h>
 
 #include <groundtruth/campaign/campaign.hpp>
 #include <groundtruth/cases/builtin_scenes.hpp>
+#include <groundtruth/cases/shape_parts.hpp>
 #include <groundtruth/implementations/engine.hpp>
 #include <groundtruth/report/check_report.hpp>
 #include <groundtruth/text/ask_text.hpp>
@@ -49,24 +49,42 @@ std::vector<NamedPack> packs_of(const Options& options) {
   return packs;
 }
 
-// SCENE:PART:INDEX, as the report writes it. A file's name may have colons in it.
+// SCENE:PART:INDEX, as the report writes it; a file's name may have colons in it.
+struct AskName {
+  std::string scene;
+  std::size_t part = 0;
+  std::uint64_t index = 0;
+};
+
+std::optional<AskName> read_ask_name(const std::string& text) {
+  static const std::regex form("(.+):([0-9]{1,9}):([0-9]{1,18})");
+  std::smatch match;
+  if (!std::regex_match(text, match, form)) return std::nullopt;
+  return AskName{match[1], std::stoul(match[2]), std::stoull(match[3])};
+}
+
+Exit refuse_show(const std::string& problem) {
+  fmt::print(stderr, "groundtruth check: --show: {}\n", problem);
+  return Exit::usage;
+}
+
 Exit show(const Options& options) {
-  const auto second = options.show.rfind(':');
-  const auto first = second == std::string::npos || second == 0 ? second : options.show.rfind(':', second - 1);
-  if (first == std::string::npos) throw CLI::ValidationError("--show", options.show + " is not SCENE:PART:INDEX");
-  const NamedPack named = pack_named(options.show.substr(0, first));
-  const std::size_t part = std::stoul(options.show.substr(first + 1, second - first - 1));
-  const std::uint64_t index = std::stoull(options.show.substr(second + 1));
-  if (part >= named.pack.size()) throw CLI::ValidationError("--show", options.show + ": there is no such part");
-  const auto source = campaign::asks_for({named.pack, {}, options.seed, 0, 1}, part);
-  fmt::print("{}\n{}\n", write_scene_line(named.pack[part]),
-             write_ask("\"" + options.show + "\"", source.ask_at(index).ask));
+  const auto name = read_ask_name(options.show);
+  if (!name) return refuse_show(options.show + " is not SCENE:PART:INDEX");
+  const NamedPack named = pack_named(name->scene);
+  if (name->part >= named.pack.size()) {
+    return refuse_show(fmt::format("{} has {} parts, numbered from 0", name->scene, named.pack.size()));
+  }
+  const auto source = campaign::asks_for({named.pack, {}, options.seed, 0, 1}, name->part);
+  fmt::print("{}\n{}\n", write_scene_line(named.pack[name->part]),
+             write_ask("\"" + options.show + "\"", source.ask_at(name->index).ask));
   return Exit::agrees;
 }
 
-report::CheckedScene check(const NamedPack& named, const Options& options, std::uint64_t cases, ProgressBar& bar) {
+report::CheckedScene check(const NamedPack& named, const Options& options, std::uint64_t cases,
+                           ProgressBar& bar) {
   report::CheckedScene checked{named.name, 0, implementations::engine_names(), {}};
-  for (const Scene& scene : named.pack) checked.leaves += campaign::number_of_leaves(scene.shape);
+  for (const Scene& scene : named.pack) checked.leaves += cases::leaf_count(scene.shape);
   const campaign::Plan plan{named.pack, checked.engines, options.seed, cases, options.jobs};
   checked.tallies = campaign::run(plan, [&](std::uint64_t done) { bar.show(named.name, done, cases); });
   return checked;
@@ -118,13 +136,19 @@ Exit run(const Options& options) {
 }  // namespace
 
 Run add_check(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("check", "Puts the same asks to every engine and counts where they differ");
+  CLI::App* command =
+      program.add_subcommand("check", "Puts the same asks to every engine and counts where they differ");
   const auto options = std::make_shared<Options>();
   command->add_option("--seed", options->seed, "Of the asks")->capture_default_str();
-  command->add_option("--cases", options->cases, "How many asks, shared out over the scenes")->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
-  command->add_option("--scene", options->scenes, "A scene file or the name of a built-in scene; may be repeated");
-  command->add_option("--show", options->show, "Print the scene and the ask SCENE:PART:INDEX, for groundtruth answer");
+  command->add_option("--cases", options->cases, "How many asks, shared out over the scenes")
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Threads")
+      ->check(CLI::Range(1U, 1024U))
+      ->capture_default_str();
+  command->add_option("--scene", options->scenes,
+                      "A scene file or the name of a built-in scene; may be repeated");
+  command->add_option("--show", options->show,
+                      "Print the scene and the ask SCENE:PART:INDEX, for groundtruth answer");
   command->add_flag("--json", options->json, "One JSON object a scene and engine");
   return [options] { return run(*options); };
 }

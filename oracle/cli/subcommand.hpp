@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands of the program `groundtruth`. Each adds itself to the command line and says, once the line is
-// parsed, how to run.
+// The subcommands of the program `groundtruth`. Each adds itself to the command line and says, once the line
+// is parsed, how to run.
 
 #include <functional>
 

@@ -39,7 +39,9 @@ class AnswerSession::Respond {
     session_.engine_on_scene_.reset();
     return write_error("null", line.problem);
   }
-  std::optional<std::string> operator()(const BadLine& line) const { return write_error(line.id, line.problem); }
+  std::optional<std::string> operator()(const BadLine& line) const {
+    return write_error(line.id, line.problem);
+  }
   std::optional<std::string> operator()(const AskLine& line) const {
     session_.asked_ = true;
     if (!session_.scene_) {

@@ -16,8 +16,8 @@ class AnswerSession {
   // `place` names the text in messages; scene files are sought relative to `folder`.
   AnswerSession(const Engine& engine, std::string place, std::filesystem::path folder);
 
-  // The line that answers the next line of the text, both without line end; absent if none is due. Never throws
-  // on what the line says.
+  // The line that answers the next line of the text, both without line end; absent if none is due. Never
+  // throws on what the line says.
   std::optional<std::string> answer(std::string_view line);
 
  private:

@@ -40,7 +40,9 @@ class AsWrittenEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<const Engine> make_double_engine() { return std::make_unique<AsWrittenEngine>("double", Errata{}); }
+std::unique_ptr<const Engine> make_double_engine() {
+  return std::make_unique<AsWrittenEngine>("double", Errata{});
+}
 
 std::unique_ptr<const Engine> make_as_written_engine(std::string_view names) {
   if (names.empty()) return std::make_unique<AsWrittenEngine>("as-written", as_written::all_errata());

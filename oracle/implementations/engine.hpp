@@ -31,8 +31,8 @@ class Engine {
   virtual std::unique_ptr<const EngineOnScene> on(const Scene& scene) const = 0;
 };
 
-// `name` is one of engine_names(), or "as-written:ERRATUM,..." with only these errata. `digits` > 0 asks engines
-// that can for decimal enclosures. Absent: there is no such engine or erratum.
+// `name` is one of engine_names(), or "as-written:ERRATUM,..." with only these errata. `digits` > 0 asks
+// engines that can for decimal enclosures. Absent: there is no such engine or erratum.
 std::unique_ptr<const Engine> make_engine(std::string_view name, unsigned digits = 0);
 
 // "exact", "definition", "fast", "double", "as-written".

@@ -41,6 +41,8 @@ class ExactEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<const Engine> make_exact_engine(unsigned digits) { return std::make_unique<ExactEngine>(digits); }
+std::unique_ptr<const Engine> make_exact_engine(unsigned digits) {
+  return std::make_unique<ExactEngine>(digits);
+}
 
 }  // namespace groundtruth::implementations

@@ -12,10 +12,12 @@ double unit_in_last_place(double value) {
   return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
 }
 
-double error_in_ulps(double got, double exact) {
-  if (got == exact) return 0;
-  return std::fabs(got - exact) / unit_in_last_place(exact);
+double in_ulps_of(double exact, double error) {
+  if (error == 0) return 0;
+  return std::min(error / unit_in_last_place(exact), std::numeric_limits<double>::max());
 }
+
+double error_in_ulps(double got, double exact) { return in_ulps_of(exact, std::fabs(got - exact)); }
 
 double largest(const Vector& vector) {
   return std::max({std::fabs(vector[0]), std::fabs(vector[1]), std::fabs(vector[2])});
@@ -24,7 +26,7 @@ double largest(const Vector& vector) {
 double error_in_ulps(const Vector& got, const Vector& exact) {
   double worst = 0;
   for (std::size_t i = 0; i < 3; ++i) worst = std::max(worst, std::fabs(got[i] - exact[i]));
-  return worst == 0 ? 0 : worst / unit_in_last_place(largest(exact));
+  return in_ulps_of(largest(exact), worst);
 }
 
 class Compare {
@@ -117,14 +119,16 @@ Comparison compare(const AnswerWithEvidence& got, const AnswerWithEvidence& exac
       [&](const auto& expected) {
         const auto& answer = std::get<std::decay_t<decltype(expected)>>(got.answer);
         const bool one_refuses = refuses(answer) != refuses(expected);
-        Compare(comparison).answers(answer, expected,
-                                    one_refuses ? Difference::refusal : when_kinds_differ(answer, expected));
+        Compare(comparison)
+            .answers(answer, expected,
+                     one_refuses ? Difference::refusal : when_kinds_differ(answer, expected));
       },
       exact.answer);
   if (comparison.difference != Difference::none) return comparison;
   const auto& [lambda, admissible, enclosures] = got.evidence;
   if (!lambda.empty() && lambda != exact.evidence.lambda_exact) comparison.difference = Difference::lambda;
-  if (!admissible.empty() && admissible != exact.evidence.admissible) comparison.difference = Difference::face;
+  if (!admissible.empty() && admissible != exact.evidence.admissible)
+    comparison.difference = Difference::face;
   return comparison;
 }
 

@@ -29,7 +29,8 @@ std::string_view name_of(Difference difference);
 struct Comparison {
   Difference difference = Difference::none;
   // |got - exact| in units of the last place of the exact double (2^-1074 at 0); for vectors, of its largest
-  // component; of each vector the worst. 0 unless both answers have the same numbers to compare.
+  // component; of each vector the worst; the largest double where it is larger still. 0 unless both answers
+  // have the same numbers to compare.
   double lambda_ulps = 0;
   double vector_ulps = 0;
 };
@@ -39,8 +40,8 @@ struct AnswerWithEvidence {
   const Evidence& evidence;
 };
 
-// Both answer the same ask; `exact` bears correctly rounded doubles. Evidence that `got` lacks is not held against
-// it; other evidence than the exact one's is a difference in lambda, or in the face.
+// Both answer the same ask; `exact` bears correctly rounded doubles. Evidence that `got` lacks is not held
+// against it; other evidence than the exact one's is a difference in lambda, or in the face.
 Comparison compare(const AnswerWithEvidence& got, const AnswerWithEvidence& exact);
 
 }  // namespace groundtruth::judge

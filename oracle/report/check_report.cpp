@@ -12,9 +12,9 @@ namespace {
 using campaign::Tally;
 using judge::Difference;
 
-constexpr Difference counted[] = {Difference::hit_miss,   Difference::lambda, Difference::face,
-                                  Difference::material,   Difference::stick_slip, Difference::state,
-                                  Difference::numbers,    Difference::refusal};
+constexpr Difference counted[] = {Difference::hit_miss, Difference::lambda,     Difference::face,
+                                  Difference::material, Difference::stick_slip, Difference::state,
+                                  Difference::numbers,  Difference::refusal};
 
 double nanoseconds_of_double(const CheckedScene& checked) {
   const auto found = std::find(checked.engines.begin(), checked.engines.end(), "double");
@@ -35,7 +35,8 @@ std::string place_of(const CheckedScene& checked, const campaign::Place& place) 
 }  // namespace
 
 std::string table_of(const CheckedScene& checked) {
-  std::string text = fmt::format("{} ({} leaves)\n  {:<12}{:>8}", checked.name, checked.leaves, "engine", "asks");
+  std::string text =
+      fmt::format("{} ({} leaves)\n  {:<12}{:>8}", checked.name, checked.leaves, "engine", "asks");
   for (const Difference difference : counted) text += fmt::format("{:>11}", judge::name_of(difference));
   text += fmt::format("{:>12}{:>12}{:>11}{:>9}\n", "lambda ulps", "force ulps", "ns/ask", "x double");
   const double of_double = nanoseconds_of_double(checked);
@@ -74,7 +75,8 @@ std::string json_of(const CheckedScene& checked) {
     writer.Key("disagreements");
     writer.StartObject();
     for (const Difference difference : counted) {
-      member(std::string(judge::name_of(difference)).c_str(), [&] { writer.Uint64(tally.count(difference)); });
+      member(std::string(judge::name_of(difference)).c_str(),
+             [&] { writer.Uint64(tally.count(difference)); });
     }
     writer.EndObject();
     member("worst_lambda", [&] { worst(tally.worst_lambda()); });
@@ -90,7 +92,8 @@ std::string findings_of(const CheckedScene& checked, std::size_t engine, const s
   const Tally& tally = checked.tallies[engine];
   std::string text;
   const auto line = [&](const std::string& what, const campaign::Place& place) {
-    text += fmt::format("  {} {}: {} {}\n", checked.engines[engine], what, show_command, place_of(checked, place));
+    text += fmt::format("  {} {}: {} {}\n", checked.engines[engine], what, show_command,
+                        place_of(checked, place));
   };
   if (tally.worst_lambda().ulps > 0) {
     line("worst lambda, " + ulps(tally.worst_lambda().ulps) + " ulps", tally.worst_lambda().place);

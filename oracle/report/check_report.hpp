@@ -10,9 +10,9 @@ namespace groundtruth::report {
 
 struct CheckedScene {
   std::string name;
-  std::size_t leaves = 0;                 // of all scenes of the pack
-  std::vector<std::string> engines;       // the first is the exact one
-  std::vector<campaign::Tally> tallies;   // one an engine
+  std::size_t leaves = 0;                // of all scenes of the pack
+  std::vector<std::string> engines;      // the first is the exact one
+  std::vector<campaign::Tally> tallies;  // one an engine
 };
 
 // A table: a row an engine, the time as a ratio to that of `double`.

@@ -5,8 +5,8 @@
 
 namespace groundtruth::exact {
 
-// The answer, its doubles being the ones nearest to the exact values (ties to even, never -0), and what only exact
-// numbers can say.
+// The answer, its doubles being the ones nearest to the exact values (ties to even, never -0), and what only
+// exact numbers can say.
 template <typename AnswerToAsk>
 struct Finding {
   AnswerToAsk answer;

@@ -50,13 +50,15 @@ class Step {
     if (sign(pressing) <= 0) return no_contact();
     if (contact.maximum_force) {
       const Rational most(*contact.maximum_force);
-      if (pressing * pressing > most * most * (seen.normal * seen.normal)) return StepFailure::surface_gave_way;
+      if (pressing * pressing > most * most * (seen.normal * seen.normal))
+        return StepFailure::surface_gave_way;
     }
     const double friction = contact.grip == Grip::stick ? contact.static_friction : contact.dynamic_friction;
-    const ExactClip clipped = clip_force(force_in_wheel, seen.normal, {Rational(friction), Rational(ask_.brake)});
-    const RootVector on_frame_in_world = transformed(clipped.force_in_wheel, [this](const RationalVector& force) {
-      return RationalVector(-placement_.world_from_wheel(force));
-    });
+    const ExactClip clipped =
+        clip_force(force_in_wheel, seen.normal, {Rational(friction), Rational(ask_.brake)});
+    const RootVector on_frame_in_world = transformed(
+        clipped.force_in_wheel,
+        [this](const RationalVector& force) { return RationalVector(-placement_.world_from_wheel(force)); });
     return clipped.grip == Grip::stick ? stay(contact, on_frame_in_world)
                                        : slide(contact, seen, clipped.force_in_wheel, on_frame_in_world);
   }
@@ -71,7 +73,9 @@ class Step {
   StepAnswer slide(const Contact& contact, const ContactInWheel& seen, const RootVector& clipped_in_wheel,
                    const RootVector& on_frame_in_world) {
     const Rational h(ask_.h);
-    const auto to_world = [this](const RationalVector& vector) { return placement_.world_from_wheel(vector); };
+    const auto to_world = [this](const RationalVector& vector) {
+      return placement_.world_from_wheel(vector);
+    };
     RootVector top_in_world = transformed(relocated(ask_.wheel, seen, clipped_in_wheel, h), to_world);
     top_in_world.u = top_in_world.u + placement_.origin_in_world;
     const Touch touch = touch_down(ground_, ask_.wheel, placement_, top_in_world);

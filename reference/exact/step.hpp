@@ -9,7 +9,8 @@ namespace groundtruth::exact {
 
 // Guarantees, for every valid ask:
 // 1. outcome, state and contact are those of the exact step from these doubles; a slip's new pebble is
-//    u + v sqrt(A) + w sqrt(D), and Phi there is decided on such numbers (proofs-notes/wheel.md, sections 1, 2);
+//    u + v sqrt(A) + w sqrt(D), and Phi there is decided on such numbers (proofs-notes/wheel.md, sections 1,
+//    2);
 // 2. every double of the answer is the exact value rounded to nearest; a sticking pebble, its normal and its
 //    friction come back bit for bit.
 // Refuses a contact without material or without friction for the tyre, naming leaf and material, and a result

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include <groundtruth/text/answer_text.hpp>
-#include <groundtruth/text/shared_readers.hpp>
 #include <groundtruth/text/field.hpp>
+#include <groundtruth/text/shared_readers.hpp>
 
 namespace groundtruth {
 namespace {
@@ -54,7 +54,8 @@ Evidence read_evidence(const Field& field) {
   Evidence evidence;
   if (const auto lambda = field.find("lambda_exact")) evidence.lambda_exact = lambda->text();
   if (const auto admissible = field.find("admissible")) {
-    for (std::size_t i = 0; i < admissible->size(); ++i) evidence.admissible.push_back(read_count((*admissible)[i]));
+    for (std::size_t i = 0; i < admissible->size(); ++i)
+      evidence.admissible.push_back(read_count((*admissible)[i]));
   }
   return evidence;
 }

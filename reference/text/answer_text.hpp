@@ -11,9 +11,10 @@
 
 namespace groundtruth {
 
-// The line of an answer, without line end; a Refusal becomes an error. `id` is JSON. `scene` names the materials;
-// it is the one that was asked about.
-std::string write_answer(const std::string& id, const Answer& answer, const Evidence& evidence, const Scene& scene);
+// The line of an answer, without line end; a Refusal becomes an error. `id` is JSON. `scene` names the
+// materials; it is the one that was asked about.
+std::string write_answer(const std::string& id, const Answer& answer, const Evidence& evidence,
+                         const Scene& scene);
 
 // The line of an ask that could not be read.
 std::string write_error(const std::string& id, const std::string& problem);
@@ -27,8 +28,8 @@ struct AnswerLine {
   Evidence evidence;
 };
 
-// Reads the answer to an ask of this kind about this scene. Throws BadInput on text that is none; extra keys are
-// ignored, as engines may add to an answer.
+// Reads the answer to an ask of this kind about this scene. Throws BadInput on text that is none; extra keys
+// are ignored, as engines may add to an answer.
 AnswerLine read_answer(std::string_view text, const Ask& ask, const Scene& scene, const Origin& origin);
 
 }  // namespace groundtruth

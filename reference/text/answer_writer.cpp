@@ -30,7 +30,9 @@ class AnswerWriter {
   void operator()(const StepAnswer& answer) { visit(answer); }
 
   void operator()(const Refusal& refusal) { writer_.member("error", refusal.reason); }
-  void operator()(const Miss&) { write([&] { writer_.member("kind", "miss"); }); }
+  void operator()(const Miss&) {
+    write([&] { writer_.member("kind", "miss"); });
+  }
   void operator()(const Inside& inside) {
     write([&] {
       writer_.member("kind", "inside");
@@ -49,7 +51,9 @@ class AnswerWriter {
       write_admissible();
     });
   }
-  void operator()(const TooSteep&) { write([&] { writer_.member("kind", "too_steep"); }); }
+  void operator()(const TooSteep&) {
+    write([&] { writer_.member("kind", "too_steep"); });
+  }
   void operator()(const Clipped& clipped) {
     write([&] {
       writer_.member("kind", clipped.grip == Grip::stick ? "stick" : "slip");
@@ -104,7 +108,8 @@ class AnswerWriter {
 
 }  // namespace
 
-std::string write_answer(const std::string& id, const Answer& answer, const Evidence& evidence, const Scene& scene) {
+std::string write_answer(const std::string& id, const Answer& answer, const Evidence& evidence,
+                         const Scene& scene) {
   JsonWriter writer;
   writer.open_object();
   writer.key("id");

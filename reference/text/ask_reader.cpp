@@ -1,8 +1,8 @@
 #include <groundtruth/text/ask_text.hpp>
-#include <groundtruth/text/shared_readers.hpp>
 #include <groundtruth/text/field.hpp>
 #include <groundtruth/text/json_writer.hpp>
 #include <groundtruth/text/scene_reader.hpp>
+#include <groundtruth/text/shared_readers.hpp>
 
 namespace groundtruth {
 namespace {
@@ -46,7 +46,8 @@ Relocation read_relocation(const Field& field) {
 }
 
 Wheel read_wheel(const Field& field) {
-  field.only({"k_xy", "k_z", "d_xy", "d_z", "z_min", "z_zero", "z_max", "tyre", "min_uprightness", "relocation"});
+  field.only(
+      {"k_xy", "k_z", "d_xy", "d_z", "z_min", "z_zero", "z_max", "tyre", "min_uprightness", "relocation"});
   Wheel wheel;
   wheel.k_xy = field["k_xy"].negative();
   wheel.k_z = field["k_z"].negative();
@@ -70,9 +71,11 @@ Frame read_frame(const Field& field) {
   const Field orientation = field["orientation"];
   orientation.require_size(4);
   for (std::size_t i = 0; i < 4; ++i) frame.world_from_wheel[i] = orientation[i].number();
-  if (frame.world_from_wheel == Quaternion{0, 0, 0, 0}) orientation.refuse("[0, 0, 0, 0] is the zero quaternion");
+  if (frame.world_from_wheel == Quaternion{0, 0, 0, 0})
+    orientation.refuse("[0, 0, 0, 0] is the zero quaternion");
   frame.velocity_in_world = field["velocity"].vector();
-  if (const auto angular = field.find("angular_velocity")) frame.angular_velocity_in_world = angular->vector();
+  if (const auto angular = field.find("angular_velocity"))
+    frame.angular_velocity_in_world = angular->vector();
   return frame;
 }
 
@@ -133,7 +136,8 @@ WheelState read_state(const Field& field) {
     field.only({"kind"});
     return Free{};
   }
-  if (kind.text() != "stick" && kind.text() != "slip") kind.refuse_value("is neither free nor stick nor slip");
+  if (kind.text() != "stick" && kind.text() != "slip")
+    kind.refuse_value("is neither free nor stick nor slip");
   field.only({"kind", "pebble", "velocity", "normal", "static", "dynamic", "max_force"});
   Contact contact{kind.text() == "stick" ? Grip::stick : Grip::slip,
                   field["pebble"].vector(),

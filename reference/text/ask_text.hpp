@@ -31,8 +31,8 @@ struct BadLine {
 };
 using Line = std::variant<HelloLine, SceneLine, SceneFileLine, AskLine, BadSceneLine, BadLine>;
 
-// Never throws on bad text: what is wrong with a line is part of what the line is. `problem` names place, line,
-// field and value.
+// Never throws on bad text: what is wrong with a line is part of what the line is. `problem` names place,
+// line, field and value.
 Line read_line(std::string_view text, const Origin& origin);
 
 // The line of an ask or a scene, without line end. `id` is JSON.

@@ -38,7 +38,8 @@ using SetAside = std::map<std::size_t, std::string>;
 
 class Builder {
  public:
-  Builder(std::string_view text, const PositionedText& stream, const SetAside& set_aside, std::size_t first_line)
+  Builder(std::string_view text, const PositionedText& stream, const SetAside& set_aside,
+          std::size_t first_line)
       : text_(text), stream_(stream), set_aside_(set_aside), line_(first_line) {}
 
   bool too_deep() const { return too_deep_; }
@@ -124,8 +125,9 @@ class Builder {
   std::vector<std::string> keys_;  // one an open container
 };
 
-constexpr unsigned strict_numbers_as_text =
-    rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
+constexpr unsigned strict_numbers_as_text = rapidjson::kParseNumbersAsStringsFlag |
+                                            rapidjson::kParseValidateEncodingFlag |
+                                            rapidjson::kParseIterativeFlag;
 
 // Puts the literal at `offset` aside and a zero of the same width in its place.
 void set_literal_aside(std::string& text, std::size_t offset, SetAside& set_aside) {
@@ -134,8 +136,8 @@ void set_literal_aside(std::string& text, std::size_t offset, SetAside& set_asid
   text[offset] = '0';
   if (end - offset > 1) {
     text[offset + 1] = '.';
-    std::fill(text.begin() + static_cast<std::ptrdiff_t>(offset) + 2, text.begin() + static_cast<std::ptrdiff_t>(end),
-              '0');
+    std::fill(text.begin() + static_cast<std::ptrdiff_t>(offset) + 2,
+              text.begin() + static_cast<std::ptrdiff_t>(end), '0');
   }
 }
 
@@ -164,7 +166,8 @@ Json parse_json(std::string_view given, const Origin& origin) {
     }
     const auto error_at = text.begin() + static_cast<std::ptrdiff_t>(std::min(result.Offset(), text.size()));
     const auto line = origin.first_line + static_cast<std::size_t>(std::count(text.begin(), error_at, '\n'));
-    throw BadInput(origin.place, line, "", std::string("not JSON: ") + rapidjson::GetParseError_En(result.Code()));
+    throw BadInput(origin.place, line, "",
+                   std::string("not JSON: ") + rapidjson::GetParseError_En(result.Code()));
   }
 }
 

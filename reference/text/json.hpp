@@ -29,8 +29,8 @@ inline constexpr std::size_t maximum_shape_depth = 1000;
 // Of arrays and objects: a shape takes two at the most, and an ask line with a scene has a few around it.
 inline constexpr std::size_t maximum_json_depth = 2 * maximum_shape_depth + 10;
 
-// Throws BadInput if the text is not one JSON value and white space, or nests too deep. Numbers that cannot be
-// read are kept as such, so that whoever asks for them can name the field.
+// Throws BadInput if the text is not one JSON value and white space, or nests too deep. Numbers that cannot
+// be read are kept as such, so that whoever asks for them can name the field.
 Json parse_json(std::string_view text, const Origin& origin);
 
 // A value, short enough for a message.

@@ -25,7 +25,9 @@ class JsonWriter {
   void text(std::string_view value) {
     writer_.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
   }
-  void json(const std::string& value) { writer_.RawValue(value.data(), value.size(), rapidjson::kObjectType); }
+  void json(const std::string& value) {
+    writer_.RawValue(value.data(), value.size(), rapidjson::kObjectType);
+  }
   void count(std::size_t value) { writer_.Uint64(value); }
   void number(double value) { json(write_decimal(value)); }
   template <std::size_t size>

@@ -57,7 +57,8 @@ ReadNumber convert(std::string_view literal, std::string_view digits, Base base)
 
 bool equals_integer_literal(double value, std::string_view literal) {
   std::array<char, 330> text;  // the largest double has 309 digits
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 0).ptr;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 0).ptr;
   return std::string_view(text.data(), static_cast<std::size_t>(end - text.data())) == literal;
 }
 

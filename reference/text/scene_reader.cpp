@@ -44,7 +44,9 @@ class ShapeReader {
     if (field.find("material")) return read_covered(field, depth + 1);
     if (field.find("paint")) return read_painted(field, depth + 1);
     if (field.object().size() != 1) {
-      field.refuse("a shape has one key: halfspace, box, union, intersection; or material, shape; or paint, where, shape");
+      field.refuse(
+          "a shape has one key: halfspace, box, union, intersection; or material, shape; or paint, where, "
+          "shape");
     }
     return read_operator(field, field.object().front().first, depth + 1);
   }
@@ -103,7 +105,8 @@ class ShapeReader {
 
   Shape read_painted(const Field& field, std::size_t depth) const {
     field.only({"paint", "where", "shape"});
-    return {Painted{read_material_name(field["paint"]), read_shared(field["where"], depth), read_shared(field["shape"], depth)}};
+    return {Painted{read_material_name(field["paint"]), read_shared(field["where"], depth),
+                    read_shared(field["shape"], depth)}};
   }
 
   MaterialIndex read_material_name(const Field& field) const {

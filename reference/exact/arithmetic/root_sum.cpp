@@ -25,7 +25,8 @@ std::array<Rational, 2> root_enclosure(const Rational& value, unsigned bits) {
   return {Rational(root, scale), Rational(above, scale)};
 }
 
-void add_multiple(std::array<Rational, 2>& sum, const Rational& factor, const std::array<Rational, 2>& enclosure) {
+void add_multiple(std::array<Rational, 2>& sum, const Rational& factor,
+                  const std::array<Rational, 2>& enclosure) {
   const bool flips = factor < 0;
   sum[0] += factor * enclosure[flips ? 1 : 0];
   sum[1] += factor * enclosure[flips ? 0 : 1];

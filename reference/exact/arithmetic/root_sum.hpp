@@ -1,6 +1,6 @@
 #pragma once
-// Numbers a + b sqrt(A) + c sqrt(D) with rational a, b, c and a common pair A, D >= 0: where a slipping pebble
-// goes (SPEC section 5). They form a vector space over the rationals, and Phi needs no more than that.
+// Numbers a + b sqrt(A) + c sqrt(D) with rational a, b, c and a common pair A, D >= 0: where a slipping
+// pebble goes (SPEC section 5). They form a vector space over the rationals, and Phi needs no more than that.
 
 #include <array>
 #include <memory>
@@ -17,7 +17,8 @@ struct Radicands {
 class RootSum {
  public:
   RootSum(Rational rational = 0) : rational_(std::move(rational)) {}
-  RootSum(Rational rational, Rational times_root_a, Rational times_root_d, std::shared_ptr<const Radicands> radicands)
+  RootSum(Rational rational, Rational times_root_a, Rational times_root_d,
+          std::shared_ptr<const Radicands> radicands)
       : rational_(std::move(rational)),
         times_root_a_(std::move(times_root_a)),
         times_root_d_(std::move(times_root_d)),

@@ -8,7 +8,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-constexpr int mantissa_bits = std::numeric_limits<double>::digits;                // 53
+constexpr int mantissa_bits = std::numeric_limits<double>::digits;                 // 53
 constexpr long smallest_exponent = std::numeric_limits<double>::min_exponent - 1;  // -1022
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -67,7 +67,8 @@ Deciders<Number> deciders(const Solid& solid, const Segment<Number>& segment) {
     const RationalVector normal = to_rational(half_space.normal);
     found.leaves.push_back(node.leaf);
     found.normals.push_back(normal);
-    found.courses.push_back({delta(normal, Rational(half_space.offset), segment.origin), normal * segment.direction});
+    found.courses.push_back(
+        {delta(normal, Rational(half_space.offset), segment.origin), normal * segment.direction});
     node.leaf = found.leaves.size() - 1;
   }
   return found;
@@ -122,7 +123,8 @@ std::optional<Entry<Number>> find_entry(const Solid& solid, const Segment<Number
 }
 
 template <typename Number>
-std::optional<MaterialIndex> material_at(const Ground& ground, Leaf leaf, const std::array<Number, 3>& point) {
+std::optional<MaterialIndex> material_at(const Ground& ground, Leaf leaf,
+                                         const std::array<Number, 3>& point) {
   for (const Layer& layer : ground.layers) {
     const bool covers = layer.first_leaf <= leaf && leaf < layer.end_leaf;
     if (covers && (!layer.region || contains(*layer.region, point))) return layer.material;

@@ -1,6 +1,6 @@
 #pragma once
-// Phi in exact arithmetic, on any segment whose start is a sum of roots and whose direction is rational: what a
-// wheel's step asks. An entry ask is the case without roots. Private to this folder.
+// Phi in exact arithmetic, on any segment whose start is a sum of roots and whose direction is rational: what
+// a wheel's step asks. An entry ask is the case without roots. Private to this folder.
 
 #include <array>
 #include <optional>

@@ -1,5 +1,6 @@
 #pragma once
-// A Boolean expression laid out in preorder, so that reducing it is copying part of it. Private to this folder.
+// A Boolean expression laid out in preorder, so that reducing it is copying part of it. Private to this
+// folder.
 
 #include <cstddef>
 #include <vector>
@@ -18,8 +19,8 @@ struct Node {
 };
 using Expression = std::vector<Node>;
 
-// The value of an expression whose leaves are known true, known false, or not known. "Not known" is not looked
-// into: x united with its complement is not known. That is how SPEC section 3 simplifies constants.
+// The value of an expression whose leaves are known true, known false, or not known. "Not known" is not
+// looked into: x united with its complement is not known. That is how SPEC section 3 simplifies constants.
 enum class Truth { no, unknown, yes };
 
 // Truth of the node at `at`, where truth_of_leaf(Leaf) gives that of its leaves.
@@ -50,7 +51,8 @@ Truth evaluate(const Expression& expression, std::size_t at, const TruthOfLeaf& 
 // Appends to `out` what of the node at `at` is not constant: the leaves that stand (SPEC section 3). Appends
 // nothing unless the result is Truth::unknown.
 template <typename TruthOfLeaf>
-Truth append_reduced(const Expression& expression, std::size_t at, const TruthOfLeaf& truth_of_leaf, Expression& out) {
+Truth append_reduced(const Expression& expression, std::size_t at, const TruthOfLeaf& truth_of_leaf,
+                     Expression& out) {
   const Node& node = expression[at];
   if (node.operation == Operation::everything) return Truth::yes;
   if (node.operation == Operation::nothing) return Truth::no;

@@ -13,7 +13,8 @@ bool same_side(const RationalVector& left, const RationalVector& right) { return
 
 // Of a line through the origin in the plane with normal `axis`, the direction that comes first when one turns
 // about the axis from `start`.
-RationalVector first_direction(const RationalVector& line, const RationalVector& start, const RationalVector& axis) {
+RationalVector first_direction(const RationalVector& line, const RationalVector& start,
+                               const RationalVector& axis) {
   const RationalVector quarter = CGAL::cross_product(axis, start);
   const int side = sign(line * quarter);
   const bool first = side > 0 || (side == 0 && sign(line * start) > 0);
@@ -22,7 +23,8 @@ RationalVector first_direction(const RationalVector& line, const RationalVector&
 
 class PointOnPlanes {
  public:
-  PointOnPlanes(const Expression& cone, const std::vector<LocalLeaf>& leaves) : cone_(cone), leaves_(leaves) {}
+  PointOnPlanes(const Expression& cone, const std::vector<LocalLeaf>& leaves)
+      : cone_(cone), leaves_(leaves) {}
 
   LocalFaces faces() const {
     std::vector<std::size_t> standing;
@@ -53,8 +55,8 @@ class PointOnPlanes {
                        [&](const RationalVector& v) { return bounds_along(i, v); });
   }
 
-  // SPEC section 3, "bounds", for one v: v is in the cone, v + eps n_i is not, and leaf i stands when the leaves
-  // of other planes have their values at v.
+  // SPEC section 3, "bounds", for one v: v is in the cone, v + eps n_i is not, and leaf i stands when the
+  // leaves of other planes have their values at v.
   bool bounds_along(std::size_t i, const RationalVector& v) const {
     const auto truth_beside = [&](std::size_t j) {
       return sign(leaves_[j].normal * v) <= 0 ? Truth::yes : Truth::no;
@@ -66,13 +68,16 @@ class PointOnPlanes {
       return same_side(leaves_[i].normal, leaves_[j].normal) ? Truth::no : Truth::yes;
     };
     if (evaluate(cone_, 0, at_v) != Truth::yes || evaluate(cone_, 0, above_v) != Truth::no) return false;
-    const auto of_other_planes = [&](std::size_t j) { return in_plane(j) ? Truth::unknown : truth_beside(j); };
+    const auto of_other_planes = [&](std::size_t j) {
+      return in_plane(j) ? Truth::unknown : truth_beside(j);
+    };
     const Expression rest = reduced(cone_, of_other_planes);
     return std::any_of(rest.begin(), rest.end(),
                        [&](const Node& node) { return node.operation == Operation::leaf && node.leaf == i; });
   }
 
-  // One direction in each sector into which the other planes cut the plane of leaf i; where none cuts it, one.
+  // One direction in each sector into which the other planes cut the plane of leaf i; where none cuts it,
+  // one.
   std::vector<RationalVector> sectors(std::size_t i) const {
     const RationalVector& axis = leaves_[i].normal;
     std::vector<RationalVector> lines;
@@ -108,7 +113,9 @@ class PointOnPlanes {
       const bool generic = std::none_of(leaves_.begin(), leaves_.end(),
                                         [&](const LocalLeaf& leaf) { return sign(leaf.normal * v) == 0; });
       if (!generic) continue;
-      const auto truth = [&](std::size_t j) { return sign(leaves_[j].normal * v) < 0 ? Truth::yes : Truth::no; };
+      const auto truth = [&](std::size_t j) {
+        return sign(leaves_[j].normal * v) < 0 ? Truth::yes : Truth::no;
+      };
       return evaluate(cone_, 0, truth) == Truth::yes;
     }
   }

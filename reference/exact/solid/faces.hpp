@@ -1,6 +1,6 @@
 #pragma once
-// Which faces meet at a point of the solid, and whether the point is interior: the local cone of SPEC section 3.
-// Private to this folder. Derivation: proofs-notes/faces.md.
+// Which faces meet at a point of the solid, and whether the point is interior: the local cone of SPEC
+// section 3. Private to this folder. Derivation: proofs-notes/faces.md.
 
 #include <vector>
 
@@ -21,8 +21,9 @@ struct LocalFaces {
   std::vector<Leaf> admissible;  // ascending; empty iff interior
 };
 
-// `cone` is the solid's expression with every leaf whose plane misses the point replaced by its value there, and
-// constants simplified away; its leaves are places in `leaves`. Requires that the point lies in the solid.
+// `cone` is the solid's expression with every leaf whose plane misses the point replaced by its value there,
+// and constants simplified away; its leaves are places in `leaves`. Requires that the point lies in the
+// solid.
 LocalFaces faces_at(const Expression& cone, const std::vector<LocalLeaf>& leaves);
 
 }  // namespace groundtruth::exact

@@ -1,6 +1,7 @@
 #pragma once
 // The recursive algorithm for lambda* on exact numbers, with the corrections of SPEC section 7. Which leaf is
-// reported is not its business: see faces.hpp. Private to this folder; derivation: proofs-notes/entry-point.md.
+// reported is not its business: see faces.hpp. Private to this folder; derivation:
+// proofs-notes/entry-point.md.
 
 #include <optional>
 #include <vector>
@@ -60,7 +61,8 @@ class Recursion {
     return std::nullopt;
   }
 
-  static std::optional<Number> half_space_entry(const Course<Number>& course, const Number& first, const Number& last) {
+  static std::optional<Number> half_space_entry(const Course<Number>& course, const Number& first,
+                                                const Number& last) {
     if (sign(course.at(first)) <= 0) return first;
     if (sign(course.slope) >= 0) return std::nullopt;
     const Number crossing = course.crossing();

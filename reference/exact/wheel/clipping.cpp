@@ -63,8 +63,9 @@ ExactClip clip_force(const RationalVector& force, const RationalVector& normal, 
   const bool band_cuts_disc = brake_squared < disc_squared;
   const Rational s_squared = disc_squared - brake_squared;
   if (band_cuts_disc && f.y_squared <= s_squared) {
-    return {Grip::slip, {f.y_part + f.z_part, brake_along_x(f, border.brake), CGAL::NULL_VECTOR,
-                         radicands(f.r_squared, 0)}};
+    return {
+        Grip::slip,
+        {f.y_part + f.z_part, brake_along_x(f, border.brake), CGAL::NULL_VECTOR, radicands(f.r_squared, 0)}};
   }
   if (band_cuts_disc && brake_squared * f.y_squared <= f.x_squared * s_squared) {
     // sign(F'_y) s Y = sign(F'_y) along_y sqrt(s^2 / (r^2 n^2)).

@@ -32,7 +32,8 @@ Touch touch_down(const Ground& ground, const Wheel& wheel, const Placement& plac
   const auto entry = find_entry(ground.solid, segment);
   if (!entry || sign(entry->lambda - RootSum(segment.last)) == 0) return Clear{};
   if (sign(entry->lambda) == 0) return StepFailure::wheel_broken;
-  const RationalVector normal_in_world = to_rational(ground.solid.half_spaces[entry->admissible.front()].normal);
+  const RationalVector normal_in_world =
+      to_rational(ground.solid.half_spaces[entry->admissible.front()].normal);
   if (!is_upright(placement.world_from_wheel.inverse(normal_in_world), Rational(wheel.min_uprightness))) {
     return StepFailure::surface_too_steep;
   }

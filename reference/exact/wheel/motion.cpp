@@ -26,8 +26,8 @@ ContactInWheel seen_from_wheel(const Contact& contact, const Frame& frame, const
   const RationalVector arm_in_world = pebble_in_world - placement.origin_in_world;
   const RationalVector turning_in_world =
       CGAL::cross_product(to_rational(frame.angular_velocity_in_world), arm_in_world);
-  const RationalVector velocity_in_world = to_rational(contact.pebble_velocity_in_world) -
-                                           to_rational(frame.velocity_in_world) - turning_in_world;
+  const RationalVector velocity_in_world =
+      to_rational(contact.pebble_velocity_in_world) - to_rational(frame.velocity_in_world) - turning_in_world;
   return {placement.to_wheel(pebble_in_world), placement.world_from_wheel.inverse(velocity_in_world),
           placement.world_from_wheel.inverse(to_rational(contact.normal_in_world))};
 }
@@ -40,7 +40,8 @@ RationalVector spring_force(const Wheel& wheel, const ContactInWheel& contact) {
           k_z * (p.z() - Rational(wheel.z_zero)) + d_z * w.z()};
 }
 
-RootVector relocated(const Wheel& wheel, const ContactInWheel& contact, const RootVector& force, const Rational& h) {
+RootVector relocated(const Wheel& wheel, const ContactInWheel& contact, const RootVector& force,
+                     const Rational& h) {
   const Rational k_xy(wheel.k_xy);
   const bool maps_back = wheel.relocation == Relocation::return_mapping;
   const Rational damping(maps_back ? wheel.d_xy : 0.0);

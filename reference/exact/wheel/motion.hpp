@@ -46,7 +46,7 @@ ContactInWheel seen_from_wheel(const Contact& contact, const Frame& frame, const
 RationalVector spring_force(const Wheel& wheel, const ContactInWheel& contact);
 
 // Where the clipped force puts a slipping pebble: x and y in the wheel frame, and z = z_min.
-RootVector relocated(const Wheel& wheel, const ContactInWheel& contact, const RootVector& clipped_force_in_wheel,
-                     const Rational& h);
+RootVector relocated(const Wheel& wheel, const ContactInWheel& contact,
+                     const RootVector& clipped_force_in_wheel, const Rational& h);
 
 }  // namespace groundtruth::exact

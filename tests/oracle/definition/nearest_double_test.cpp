@@ -79,18 +79,17 @@ TEST(NearestDouble, OfARootIsTheCorrectlyRoundedRoot) {
 }
 
 TEST(NearestDouble, OfACancellationBeyondTheDigitsOfAnyGuess) {
-  // (sqrt 2 - 1)^800 is about 1e-306; in the form a - b sqrt 2 a 100-digit evaluation of it is noise.
-  Real x = square_root(Rational(2)) - Real(1);
-  for (int i = 0; i < 5; ++i) x = x * x;  // the 32nd power
-  Real power_of_x = 1;
-  for (int i = 0; i < 25; ++i) power_of_x = power_of_x * x;
-  // (sqrt 2 - 1)(sqrt 2 + 1) = 1, so it is the inverse of (sqrt 2 + 1)^800, which loses no digit.
-  Real y = square_root(Rational(2)) + Real(1);
-  for (int i = 0; i < 5; ++i) y = y * y;
-  Real power_of_y = 1;
-  for (int i = 0; i < 25; ++i) power_of_y = power_of_y * y;
-  const double product = *nearest_double(power_of_x) * *nearest_double(power_of_y);
-  EXPECT_NEAR(product, 1, 4e-16);
+  // (sqrt 2 - 1)^n = a - b sqrt 2 with a, b near (sqrt 2 + 1)^n: from n = 131 on, 100 digits of it are noise.
+  // It is the inverse of (sqrt 2 + 1)^n, which loses no digit.
+  const Real root = square_root(Rational(2));
+  Real small = 1, large = 1;
+  for (int n = 1; n <= 400; ++n) {
+    small = small * (root - Real(1));
+    large = large * (root + Real(1));
+    const double product = *nearest_double(small) * *nearest_double(large);
+    ASSERT_NEAR(product, 1, 4e-16) << n;
+    ASSERT_EQ(*nearest_double(-small), -*nearest_double(small)) << n;
+  }
 }
 
 RC_GTEST_PROP(NearestDouble, OfADoubleIsItself, ()) {

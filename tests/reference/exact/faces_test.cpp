@@ -43,9 +43,7 @@ TEST(Faces, OneThatIsNotEnteredDoesNotCount) {
   EXPECT_EQ(admissible(both(Operation::intersected), {down_x, left_y}), (std::vector<Leaf>{10}));
 }
 
-TEST(Faces, NothingLeftIsInterior) {
-  EXPECT_TRUE(faces_at({{Operation::everything, 1}}, {}).interior);
-}
+TEST(Faces, NothingLeftIsInterior) { EXPECT_TRUE(faces_at({{Operation::everything, 1}}, {}).interior); }
 
 TEST(Faces, AnEdgeWithoutFacesFallsBackOnWhatStands) {
   // x <= 0, x >= 0, y <= 0, y >= 0: the z axis.
@@ -60,12 +58,8 @@ TEST(Faces, AnEdgeWithoutFacesFallsBackOnWhatStands) {
 
 // (x <= 0 and y <= 0) or (x <= 0 and y >= 0): one half-space, whose plane is cut by a seam.
 TEST(Faces, ASeamAcrossAFaceAddsNone) {
-  const Expression halves = {{Operation::united, 7},
-                             {Operation::intersected, 4},
-                             {Operation::leaf, 3, 0},
-                             {Operation::leaf, 4, 1},
-                             {Operation::intersected, 7},
-                             {Operation::leaf, 6, 2},
+  const Expression halves = {{Operation::united, 7},  {Operation::intersected, 4}, {Operation::leaf, 3, 0},
+                             {Operation::leaf, 4, 1}, {Operation::intersected, 7}, {Operation::leaf, 6, 2},
                              {Operation::leaf, 7, 3}};
   const LocalLeaf other_down_x{15, {3, 0, 0}, true};
   const LocalLeaf up_y{40, {0, -1, 0}, true};

@@ -13,7 +13,9 @@ RootSum sum(const Rational& a, const Rational& b, const Rational& c, const Ratio
 
 TEST(SignOfRootSum, TellsWhatDecimalsCannot) {
   // sqrt(2) + sqrt(3) against the truncations of its decimal expansion.
-  const Rational below("31462643699419723423291350657155704455124771291873/10000000000000000000000000000000000000000000000000");
+  const Rational below(
+      "31462643699419723423291350657155704455124771291873/"
+      "10000000000000000000000000000000000000000000000000");
   const Rational above = below + Rational(1, Integer("10000000000000000000000000000000000000000000000000"));
   EXPECT_EQ(sign(sum(-below, 1, 1, 2, 3)), 1);
   EXPECT_EQ(sign(sum(-above, 1, 1, 2, 3)), -1);
@@ -42,7 +44,8 @@ RC_GTEST_PROP(SignOfRootSum, AgreesWithIntegersOnSquares,
 
 // The enclosure is computed without the sign's algorithm; where it excludes zero the two must agree.
 RC_GTEST_PROP(SignOfRootSum, AgreesWithItsEnclosure,
-              (std::int16_t a, std::int16_t b, std::int16_t c, std::uint16_t radicand_a, std::uint16_t radicand_d)) {
+              (std::int16_t a, std::int16_t b, std::int16_t c, std::uint16_t radicand_a,
+               std::uint16_t radicand_d)) {
   const RootSum value = sum(a, b, c, Rational(radicand_a) / 7, Rational(radicand_d) / 11);
   const auto [lower, upper] = value.enclosure(256);
   RC_ASSERT(lower <= upper);

@@ -15,18 +15,22 @@ TEST(AnswerText, WritesWhatTheContractShows) {
   EXPECT_EQ(written(EntryAnswer{Miss{}}), R"({"id":"a","answer":{"kind":"miss"}})");
   EXPECT_EQ(written(EntryAnswer{Inside{0}}, {"0", {}, {}}),
             R"({"id":"a","answer":{"kind":"inside","lambda":0,"lambda_exact":"0"}})");
-  EXPECT_EQ(written(EntryAnswer{Border{0.25, 3, {0, 0, 1}, 1}}, {"1/4", {3, 5}, {}}),
-            R"({"id":"a","answer":{"kind":"border","lambda":0.25,"lambda_exact":"1/4","leaf":3,"normal":[0,0,1],)"
-            R"("material":"wet","admissible":[3,5]}})");
-  EXPECT_EQ(written(EntryAnswer{Border{0.25, 3, {0, 0, -0.0}, std::nullopt}}),
-            R"({"id":"a","answer":{"kind":"border","lambda":0.25,"leaf":3,"normal":[0,0,0],"material":null}})");
+  EXPECT_EQ(
+      written(EntryAnswer{Border{0.25, 3, {0, 0, 1}, 1}}, {"1/4", {3, 5}, {}}),
+      R"({"id":"a","answer":{"kind":"border","lambda":0.25,"lambda_exact":"1/4","leaf":3,"normal":[0,0,1],)"
+      R"("material":"wet","admissible":[3,5]}})");
+  EXPECT_EQ(
+      written(EntryAnswer{Border{0.25, 3, {0, 0, -0.0}, std::nullopt}}),
+      R"({"id":"a","answer":{"kind":"border","lambda":0.25,"leaf":3,"normal":[0,0,0],"material":null}})");
   EXPECT_EQ(written(ClipAnswer{TooSteep{}}), R"({"id":"a","answer":{"kind":"too_steep"}})");
   EXPECT_EQ(written(ClipAnswer{Clipped{Grip::slip, {1, 2, 3}}}),
             R"({"id":"a","answer":{"kind":"slip","force":[1,2,3]}})");
-  EXPECT_EQ(written(StepAnswer{StepFailure::surface_gave_way}), R"({"id":"a","answer":{"outcome":"surface_gave_way"}})");
-  EXPECT_EQ(written(StepAnswer{Stepped{Contact{Grip::stick, {1, 2, 3}, {}, {0, 0, 1}, 0.5, 0.4, {}}, {4, 5, 6}}}),
-            R"({"id":"a","answer":{"outcome":"ok","state":{"kind":"stick","pebble":[1,2,3],"velocity":[0,0,0],)"
-            R"("normal":[0,0,1],"static":0.5,"dynamic":0.4,"max_force":null},"force":[4,5,6]}})");
+  EXPECT_EQ(written(StepAnswer{StepFailure::surface_gave_way}),
+            R"({"id":"a","answer":{"outcome":"surface_gave_way"}})");
+  EXPECT_EQ(
+      written(StepAnswer{Stepped{Contact{Grip::stick, {1, 2, 3}, {}, {0, 0, 1}, 0.5, 0.4, {}}, {4, 5, 6}}}),
+      R"({"id":"a","answer":{"outcome":"ok","state":{"kind":"stick","pebble":[1,2,3],"velocity":[0,0,0],)"
+      R"("normal":[0,0,1],"static":0.5,"dynamic":0.4,"max_force":null},"force":[4,5,6]}})");
   EXPECT_EQ(written(StepAnswer{Refusal{"contact: leaf 0 has no material"}}),
             R"({"id":"a","error":"contact: leaf 0 has no material"})");
   EXPECT_EQ(write_error("null", "a \"b\""), R"({"id":null,"error":"a \"b\""})");
@@ -56,10 +60,11 @@ TEST(AnswerText, ReadsWhatItWrote) {
 }
 
 TEST(AnswerText, RefusesWhatIsNoAnswer) {
-  for (const char* text : {"", "[]", "{}", R"({"id":"a","answer":{"kind":"hit"}})", R"({"id":"a","answer":{}})",
-                           R"({"id":"a","answer":{"kind":"inside","lambda":null}})",
-                           R"({"id":"a","answer":{"kind":"border","lambda":0,"leaf":-1,"normal":[0,0,1],"material":null}})",
-                           R"({"id":"a","answer":{"kind":"border","lambda":0,"leaf":0,"normal":[0,0,1],"material":"mud"}})"}) {
+  for (const char* text :
+       {"", "[]", "{}", R"({"id":"a","answer":{"kind":"hit"}})", R"({"id":"a","answer":{}})",
+        R"({"id":"a","answer":{"kind":"inside","lambda":null}})",
+        R"({"id":"a","answer":{"kind":"border","lambda":0,"leaf":-1,"normal":[0,0,1],"material":null}})",
+        R"({"id":"a","answer":{"kind":"border","lambda":0,"leaf":0,"normal":[0,0,1],"material":"mud"}})"}) {
     EXPECT_THROW(read_answer(text, EntryAsk{}, scene, {"answers.jsonl", 1}), BadInput) << text;
   }
 }

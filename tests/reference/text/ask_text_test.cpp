@@ -20,8 +20,8 @@ const std::string wheel =
 const std::string frame = R"({"position":[1,2,3],"orientation":[0,1,0,0],"velocity":[4,5,6]})";
 
 std::string step_with(const std::string& state) {
-  return R"({"id":"s","ask":"step","wheel":)" + wheel + R"(,"frame":)" + frame + R"(,"brake":10,"h":0.01,"state":)" +
-         state + "}";
+  return R"({"id":"s","ask":"step","wheel":)" + wheel + R"(,"frame":)" + frame +
+         R"(,"brake":10,"h":0.01,"state":)" + state + "}";
 }
 
 TEST(AskText, ARangeMayBeAbsent) {
@@ -33,7 +33,8 @@ TEST(AskText, ARangeMayBeAbsent) {
 }
 
 TEST(AskText, AClipHasADefaultUprightness) {
-  const std::string start = R"({"id":1,"ask":"clip","force":[1,2,3],"normal":[0,0,-1],"friction":0.5,"brake":2)";
+  const std::string start =
+      R"({"id":1,"ask":"clip","force":[1,2,3],"normal":[0,0,-1],"friction":0.5,"brake":2)";
   EXPECT_EQ(ask_of<ClipAsk>(start + "}").min_uprightness, 0.1);
   EXPECT_EQ(ask_of<ClipAsk>(start + R"(,"min_uprightness":0.25})").min_uprightness, 0.25);
 }
@@ -41,10 +42,11 @@ TEST(AskText, AClipHasADefaultUprightness) {
 TEST(AskText, AStepBearsItsState) {
   EXPECT_EQ(ask_of<StepAsk>(step_with(R"({"kind":"free"})")).state, WheelState{Free{}});
   const Contact contact{Grip::slip, {1, 2, 3}, {4, 5, 6}, {0, 0, 1}, 0.5, 0.4, std::nullopt};
-  EXPECT_EQ(ask_of<StepAsk>(step_with(R"({"kind":"slip","pebble":[1,2,3],"velocity":[4,5,6],"normal":[0,0,1],)"
-                                      R"("static":0.5,"dynamic":0.4,"max_force":null})"))
-                .state,
-            WheelState{contact});
+  EXPECT_EQ(
+      ask_of<StepAsk>(step_with(R"({"kind":"slip","pebble":[1,2,3],"velocity":[4,5,6],"normal":[0,0,1],)"
+                                R"("static":0.5,"dynamic":0.4,"max_force":null})"))
+          .state,
+      WheelState{contact});
 }
 
 TEST(AskText, ReadsWhatItWrote) {
@@ -65,7 +67,8 @@ TEST(AskText, ReadsWhatItWrote) {
 TEST(AskText, KnowsHelloAndScenes) {
   EXPECT_TRUE(std::holds_alternative<HelloLine>(read(R"({"hello": "answers/1"})")));
   EXPECT_EQ(std::get<SceneFileLine>(read(R"({"scene": "a.json"})")).file, "a.json");
-  EXPECT_TRUE(std::holds_alternative<SceneLine>(read(R"({"scene": {"groundtruth":"scene/1","shape":"nothing"}})")));
+  EXPECT_TRUE(
+      std::holds_alternative<SceneLine>(read(R"({"scene": {"groundtruth":"scene/1","shape":"nothing"}})")));
   EXPECT_EQ(std::get<BadSceneLine>(read(R"({"scene": {"groundtruth":"scene/1"}})")).problem,
             "asks.jsonl:7: scene: shape is missing");
 }
@@ -85,7 +88,8 @@ TEST(AskText, RefusesNamingFileLineFieldAndValue) {
       {R"({"id":"a","ask":"entry","from":[0,0,0]})", "\"a\"", "asks.jsonl:7: to is missing"},
       {R"({"id":"a","ask":"entry","from":[0,0,0],"to":[0,0,0],"range":[1,0]})", "\"a\"",
        "asks.jsonl:7: range: [1, 0]: the first is larger than the second"},
-      {R"({"id":"a","ask":"entry","from":[0,0,0],"to":[0,0,0],"speed":1})", "\"a\"", "asks.jsonl:7: speed: unknown key"},
+      {R"({"id":"a","ask":"entry","from":[0,0,0],"to":[0,0,0],"speed":1})", "\"a\"",
+       "asks.jsonl:7: speed: unknown key"},
       {R"({"id":"a","ask":"clip","force":[1,2,3],"normal":[0,0,-1],"friction":-0.5,"brake":1})", "\"a\"",
        "asks.jsonl:7: friction: -0.5 is not >= 0"},
       {R"({"id":"a","ask":"fly"})", "\"a\"", "asks.jsonl:7: ask: \"fly\" is no ask"},
@@ -93,7 +97,8 @@ TEST(AskText, RefusesNamingFileLineFieldAndValue) {
       {R"({"id":"a","id":"b","ask":"entry"})", "\"a\"", "asks.jsonl:7: id: the key stands here twice"},
       {R"({"hello":"answers/2"})", "null", "asks.jsonl:7: hello: \"answers/2\" is not \"answers/1\""},
       {"[1,2]", "null", "asks.jsonl:7: an array of 2 is not an object"},
-      {step_with(R"({"kind":"stuck"})"), "\"s\"", "asks.jsonl:7: state.kind: \"stuck\" is neither free nor stick nor slip"},
+      {step_with(R"({"kind":"stuck"})"), "\"s\"",
+       "asks.jsonl:7: state.kind: \"stuck\" is neither free nor stick nor slip"},
       {step_with(R"({"kind":"free","pebble":[0,0,0]})"), "\"s\"", "asks.jsonl:7: state.pebble: unknown key"},
   };
   for (const auto& [text, id, problem] : cases) {
@@ -116,11 +121,16 @@ TEST(AskText, ALineThatIsNoJsonHasNoId) {
 // Each constraint on a wheel and a frame, broken alone.
 TEST(AskText, RefusesWheelsAndFramesThatCannotBe) {
   const std::pair<std::string, std::string> replacements[] = {
-      {R"("k_xy":-100000)", R"("k_xy":0)"},       {R"("k_z":-90000)", R"("k_z":1)"},
-      {R"("d_xy":-1000)", R"("d_xy":1)"},         {R"("d_z":0)", R"("d_z":0.5)"},
-      {R"("z_min":0.2)", R"("z_min":0.7)"},       {R"("z_zero":0.7)", R"("z_zero":0.9)"},
-      {R"("tyre":"rubber")", R"("tyre":3)"},      {R"([0,1,0,0])", R"([0,0,0,0])"},
-      {R"("brake":10)", R"("brake":-1)"},         {R"("h":0.01)", R"("h":0)"},
+      {R"("k_xy":-100000)", R"("k_xy":0)"},
+      {R"("k_z":-90000)", R"("k_z":1)"},
+      {R"("d_xy":-1000)", R"("d_xy":1)"},
+      {R"("d_z":0)", R"("d_z":0.5)"},
+      {R"("z_min":0.2)", R"("z_min":0.7)"},
+      {R"("z_zero":0.7)", R"("z_zero":0.9)"},
+      {R"("tyre":"rubber")", R"("tyre":3)"},
+      {R"([0,1,0,0])", R"([0,0,0,0])"},
+      {R"("brake":10)", R"("brake":-1)"},
+      {R"("h":0.01)", R"("h":0)"},
       {R"("tyre":"rubber")", R"("tyre":"rubber","relocation":"teleport")"},
       {R"("tyre":"rubber")", R"("tyre":"rubber","min_uprightness":0)"},
   };

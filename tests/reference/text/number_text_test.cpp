@@ -24,7 +24,8 @@ std::string problem_of(const ReadNumber& read) {
 TEST(ReadDecimal, RoundsToNearestOnce) {
   EXPECT_EQ(value_of(read_decimal("0.1")), 0x1.999999999999ap-4);
   EXPECT_EQ(value_of(read_decimal("1.00000000000000011102230246251565404236316680908203125")), 1.0);
-  EXPECT_EQ(value_of(read_decimal("1.00000000000000011102230246251565404236316680908203126")), 0x1.0000000000001p0);
+  EXPECT_EQ(value_of(read_decimal("1.00000000000000011102230246251565404236316680908203126")),
+            0x1.0000000000001p0);
   EXPECT_EQ(value_of(read_decimal("4.9406564584124654e-324")), 0x1p-1074);
   EXPECT_EQ(value_of(read_decimal("1.7976931348623157e308")), std::numeric_limits<double>::max());
 }
@@ -44,8 +45,10 @@ TEST(ReadDecimal, TooSmallIsZeroTooLargeIsUnreadable) {
 
 TEST(ReadDecimal, AnIntegerLiteralMustEqualADouble) {
   EXPECT_EQ(value_of(read_decimal("9007199254740992")), 0x1p53);
-  EXPECT_EQ(problem_of(read_decimal("9007199254740993")), "9007199254740993 is an integer that no double equals");
-  EXPECT_EQ(problem_of(read_decimal("-9007199254740993")), "-9007199254740993 is an integer that no double equals");
+  EXPECT_EQ(problem_of(read_decimal("9007199254740993")),
+            "9007199254740993 is an integer that no double equals");
+  EXPECT_EQ(problem_of(read_decimal("-9007199254740993")),
+            "-9007199254740993 is an integer that no double equals");
   EXPECT_EQ(value_of(read_decimal("10000000000000000000000")), 1e22);
   EXPECT_EQ(problem_of(read_decimal("100000000000000000000000")),
             "100000000000000000000000 is an integer that no double equals");
@@ -61,8 +64,8 @@ TEST(ReadHexFloat, ReadsWhatCPrints) {
 }
 
 TEST(ReadHexFloat, RefusesWhatIsNone) {
-  for (const char* text : {"", "1.5", "0x", "0x-1p3", "0x1.8p+0 ", " 0x1p0", "0x1p", "0xg", "inf", "nan", "0x1p+1024",
-                           "0x1.8q0", "--0x1p0", "+0x1p0"}) {
+  for (const char* text : {"", "1.5", "0x", "0x-1p3", "0x1.8p+0 ", " 0x1p0", "0x1p", "0xg", "inf", "nan",
+                           "0x1p+1024", "0x1.8q0", "--0x1p0", "+0x1p0"}) {
     EXPECT_NE(problem_of(read_hex_float(text)), "") << text;
   }
 }

@@ -27,10 +27,11 @@ std::string refusal_of_shape(const std::string& shape) {
 TEST(SceneText, ABoxIsSixHalfSpacesInTheOrderOfTheContract) {
   const Scene scene = scene_of(R"({"box": [[1, 2, 3], [4, 5, 6]]})");
   const auto& faces = std::get<Intersection>(scene.shape.expression).operands;
-  const std::vector<HalfSpace> expected = {{{-1, 0, 0}, -1}, {{1, 0, 0}, 4},  {{0, -1, 0}, -2},
+  const std::vector<HalfSpace> expected = {{{-1, 0, 0}, -1}, {{1, 0, 0}, 4},   {{0, -1, 0}, -2},
                                            {{0, 1, 0}, 5},   {{0, 0, -1}, -3}, {{0, 0, 1}, 6}};
   ASSERT_EQ(faces.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(std::get<HalfSpace>(faces[i].expression), expected[i]);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(std::get<HalfSpace>(faces[i].expression), expected[i]);
 }
 
 TEST(SceneText, ReadsWhatItWrote) {
@@ -49,8 +50,8 @@ TEST(SceneText, NumbersMayBeHexFloats) {
 
 TEST(SceneText, MaterialsMayBeAbsentAndMaximumForceNull) {
   EXPECT_TRUE(read(R"({"groundtruth": "scene/1", "shape": "nothing"})").materials.empty());
-  const Scene scene = read(
-      R"({"groundtruth": "scene/1", "materials": {"a": {"max_force": null}}, "shape": "nothing"})");
+  const Scene scene =
+      read(R"({"groundtruth": "scene/1", "materials": {"a": {"max_force": null}}, "shape": "nothing"})");
   EXPECT_EQ(scene.materials[0].maximum_force, std::nullopt);
 }
 
@@ -62,7 +63,8 @@ struct Refused {
 TEST(SceneText, RefusesNamingFileLineFieldAndValue) {
   const Refused cases[] = {
       {R"({"union": ["nothing",
- {"halfspace": [0, 0, true, 1]}]})", "house.json:3: shape.union[1].halfspace[2]: true is not a number"},
+ {"halfspace": [0, 0, true, 1]}]})",
+       "house.json:3: shape.union[1].halfspace[2]: true is not a number"},
       {R"({"halfspace": [0, 0, 1e400, 1]})",
        "house.json:2: shape.halfspace[2]: 1e400 lies outside the range of doubles"},
       {R"({"halfspace": [0, 0, 9007199254740993, 1]})",
@@ -74,7 +76,8 @@ TEST(SceneText, RefusesNamingFileLineFieldAndValue) {
       {R"({"ball": [0, 0, 0, 1]})", "house.json:2: shape.ball: unknown key"},
       {R"({"union": [], "union": []})", "house.json:2: shape.union: the key stands here twice"},
       {R"({"union": {}})", "house.json:2: shape.union: an object is not an array"},
-      {R"({"material": "ice", "shape": "nothing"})", "house.json:2: shape.material: \"ice\" is not in materials"},
+      {R"({"material": "ice", "shape": "nothing"})",
+       "house.json:2: shape.material: \"ice\" is not in materials"},
       {R"({"shape": "nothing"})", "house.json:2: shape.shape: unknown key"},
       {R"("anything")", "house.json:2: shape: \"anything\" is no shape"},
       {R"(null)", "house.json:2: shape: null is not an object"},
@@ -89,8 +92,8 @@ TEST(SceneText, RefusesOtherVersionsAndStrayText) {
   EXPECT_EQ(refusal_of(R"({"shape": "nothing"})"), "house.json:1: groundtruth is missing");
   EXPECT_EQ(refusal_of(R"({"groundtruth": "scene/1", "shape": "nothing", "unit": "m"})"),
             "house.json:1: unit: unknown key");
-  EXPECT_TRUE(refusal_of("{\"groundtruth\": \"scene/1\", \"shape\": \"nothing\"}\n}").starts_with(
-      "house.json:2: not JSON: "));
+  EXPECT_TRUE(refusal_of("{\"groundtruth\": \"scene/1\", \"shape\": \"nothing\"}\n}")
+                  .starts_with("house.json:2: not JSON: "));
   EXPECT_TRUE(refusal_of("{\"groundtruth\": NaN}").starts_with("house.json:1: not JSON: "));
   EXPECT_TRUE(refusal_of("{\"groundtruth\": 01}").starts_with("house.json:1: not JSON: "));
   EXPECT_TRUE(refusal_of("{\"groundtruth\": \"\xff\"}").starts_with("house.json:1: not JSON: "));
