@@ -88,6 +88,13 @@ bool bounds(const LocalShape& shape, const Expression& solid, Leaf leaf) {
                      [](const View& view) { return view.at && !view.outward && view.leaf_stands; });
 }
 
+// Looking into every sector costs the cube of the number of leaves. Where this many seem to meet, it is mostly
+// rounding that makes them, and no look is worth minutes: the point then counts as border, on the first leaf.
+bool is_too_crowded(const LocalShape& shape) {
+  constexpr std::size_t most_looked_into = 128;
+  return shape.nodes.size() > most_looked_into;
+}
+
 }  // namespace
 
 // If a region into which the planes cut space is missing from the shape, take a sector in its border. Outward
@@ -95,6 +102,7 @@ bool bounds(const LocalShape& shape, const Expression& solid, Leaf leaf) {
 // missing too. So looking outward finds whatever is missing.
 bool is_interior(const LocalShape& shape, const Expression& solid) {
   if (shape.value != Value::open) return shape.value == Value::everything;
+  if (is_too_crowded(shape)) return false;
   for (const LocalNode& node : shape.nodes) {
     if (node.kind == NodeKind::cell &&
         some_sector(shape, solid, node.leaf, [](const View& view) { return !view.outward; }))
@@ -108,7 +116,8 @@ Leaf canonical_leaf(const LocalShape& shape, const Expression& solid, Candidates
   for (const LocalNode& node : shape.nodes) {
     if (node.kind != NodeKind::cell) continue;
     if (candidates == Candidates::entered_leaves && !node.is_entered) continue;
-    if (shape.nodes.size() == 1 || bounds(shape, solid, node.leaf)) return node.leaf;
+    const bool looks_no_further = shape.nodes.size() == 1 || is_too_crowded(shape);
+    if (looks_no_further || bounds(shape, solid, node.leaf)) return node.leaf;
     if (!first_candidate) first_candidate = node.leaf;
   }
   return *first_candidate;

@@ -49,8 +49,10 @@ std::int64_t rank_below(const Real& x) {
                                  std::numeric_limits<double>::max());
   std::int64_t low = std::max(rank(near) - 1, -last);
   std::int64_t high = std::min(rank(near) + 1, last);
-  if (compare(x, rational(at_rank(low))) < 0) low = -last;
-  if (compare(x, rational(at_rank(high))) >= 0) high = last + 1;
+  if (compare(x, rational(at_rank(low))) < 0 || compare(x, rational(at_rank(high))) >= 0) {
+    low = x.sign() < 0 ? -last : 0;
+    high = x.sign() < 0 ? 0 : last + 1;
+  }
   while (high - low > 1) {
     const std::int64_t middle = low + (high - low) / 2;
     (compare(x, rational(at_rank(middle))) < 0 ? high : low) = middle;
