@@ -120,7 +120,7 @@ Exit run(const Options& options) {
 
 }  // namespace
 
-Run add_answer(CLI::App& program) {
+Subcommand add_answer(CLI::App& program) {
   CLI::App* command = program.add_subcommand("answer", "Answers asks, one JSON object a line");
   const auto options = std::make_shared<Options>();
   command->add_option("--engine", options->engine,
@@ -128,7 +128,7 @@ Run add_answer(CLI::App& program) {
   command->add_option("--digits", options->digits, "Decimal enclosures of this many digits, from exact")
       ->check(CLI::Range(1U, 10000U));
   command->add_option("files", options->files, "Files of asks; none: standard input");
-  return [options] { return run(*options); };
+  return {command, [options] { return run(*options); }};
 }
 
 }  // namespace groundtruth::cli

@@ -135,7 +135,7 @@ Exit run(const Options& options) {
 
 }  // namespace
 
-Run add_check(CLI::App& program) {
+Subcommand add_check(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("check", "Puts the same asks to every engine and counts where they differ");
   const auto options = std::make_shared<Options>();
@@ -150,7 +150,7 @@ Run add_check(CLI::App& program) {
   command->add_option("--show", options->show,
                       "Print the scene and the ask SCENE:PART:INDEX, for groundtruth answer");
   command->add_flag("--json", options->json, "One JSON object a scene and engine");
-  return [options] { return run(*options); };
+  return {command, [options] { return run(*options); }};
 }
 
 }  // namespace groundtruth::cli

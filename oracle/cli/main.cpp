@@ -1,23 +1,20 @@
 #include <cstdio>
 #include <exception>
-#include <map>
 
 #include "subcommand.hpp"
 
 namespace {
 
 using groundtruth::cli::Exit;
+using groundtruth::cli::Subcommand;
 
 int run(int argc, char** argv) {
   CLI::App program("Ground contact, exactly: entry points, friction and the wheel's step.", "groundtruth");
   program.require_subcommand(1);
   program.set_help_all_flag("--help-all", "Help for every subcommand");
   program.failure_message(CLI::FailureMessage::help);
-  std::map<const CLI::App*, groundtruth::cli::Run> runs;
-  for (const auto& add : {groundtruth::cli::add_answer, groundtruth::cli::add_check}) {
-    auto run_it = add(program);
-    runs[program.get_subcommands({}).back()] = run_it;
-  }
+  const Subcommand subcommands[] = {groundtruth::cli::add_answer(program),
+                                    groundtruth::cli::add_check(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -25,7 +22,10 @@ int run(int argc, char** argv) {
     program.exit(error);
     return static_cast<int>(asked_for_help ? Exit::agrees : Exit::usage);
   }
-  return static_cast<int>(runs.at(program.get_subcommands().front())());
+  for (const auto& [command, run_it] : subcommands) {
+    if (command->parsed()) return static_cast<int>(run_it());
+  }
+  return static_cast<int>(Exit::usage);
 }
 
 }  // namespace

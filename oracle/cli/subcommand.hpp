@@ -11,10 +11,12 @@ namespace groundtruth::cli {
 // What the program exits with.
 enum class Exit { agrees = 0, disagrees = 1, usage = 2, unreadable = 3 };
 
-// Called if the subcommand is the one that was asked for.
-using Run = std::function<Exit()>;
+struct Subcommand {
+  CLI::App* command;
+  std::function<Exit()> run;  // once the line is parsed, if it is this subcommand that was asked for
+};
 
-Run add_answer(CLI::App& program);
-Run add_check(CLI::App& program);
+Subcommand add_answer(CLI::App& program);
+Subcommand add_check(CLI::App& program);
 
 }  // namespace groundtruth::cli

@@ -74,8 +74,11 @@ Deciders<Number> deciders(const Solid& solid, const Segment<Number>& segment) {
   return found;
 }
 
+// How the segment comes to the point of entry: only by moving does it need to enter the half-spaces there.
+enum class Arrival { by_starting, by_moving };
+
 template <typename Number>
-LocalFaces faces_at(const Deciders<Number>& deciders, const Number& lambda, bool starts_here) {
+LocalFaces faces_at(const Deciders<Number>& deciders, const Number& lambda, Arrival arrival) {
   const std::size_t count = deciders.leaves.size();
   std::vector<int> sides(count);
   std::vector<LocalLeaf> through;
@@ -85,7 +88,7 @@ LocalFaces faces_at(const Deciders<Number>& deciders, const Number& lambda, bool
     const bool goes_through = sides[i] == 0 && !is_zero(deciders.normals[i]);
     if (!goes_through) continue;
     place_of[i] = through.size();
-    const bool counts = starts_here || sign(deciders.courses[i].slope) < 0;
+    const bool counts = arrival == Arrival::by_starting || sign(deciders.courses[i].slope) < 0;
     through.push_back({deciders.leaves[i], deciders.normals[i], counts});
   }
   Expression cone = reduced(deciders.expression, [&](std::size_t i) {
@@ -117,8 +120,8 @@ std::optional<Entry<Number>> find_entry(const Solid& solid, const Segment<Number
   const Number first(segment.first);
   const auto lambda = Recursion<Number>(along.expression, along.courses).entry(first, Number(segment.last));
   if (!lambda) return std::nullopt;
-  const bool starts_here = !less(first, *lambda);
-  LocalFaces faces = faces_at(along, *lambda, starts_here);
+  const Arrival arrival = less(first, *lambda) ? Arrival::by_moving : Arrival::by_starting;
+  LocalFaces faces = faces_at(along, *lambda, arrival);
   return Entry<Number>{*lambda, point_at(segment, *lambda), faces.interior, std::move(faces.admissible)};
 }
 

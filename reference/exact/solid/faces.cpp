@@ -1,6 +1,7 @@
 #include <groundtruth/exact/solid/faces.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace groundtruth::exact {
 namespace {
@@ -35,8 +36,10 @@ class PointOnPlanes {
     std::copy_if(standing.begin(), standing.end(), std::back_inserter(bounding),
                  [&](std::size_t i) { return bounds(i); });
     if (bounding.empty() && contains_a_generic_direction()) return {true, {}};
-    const std::vector<Leaf> admissible = those_that_count(bounding);
-    return {false, admissible.empty() ? those_that_count(standing) : admissible};
+    std::vector<Leaf> admissible = those_that_count(bounding);
+    if (admissible.empty()) admissible = those_that_count(standing);
+    if (admissible.empty()) throw std::logic_error("exact: a border without a face");
+    return {false, std::move(admissible)};
   }
 
  private:
