@@ -1,5 +1,5 @@
-// exact and definition say the same, answer and evidence, on everything that the generators can think of. (Ground
-// and clip() throw Disagreement, with the lines that replay it.)
+// exact and definition say the same, answer and evidence, on everything that the generators can think of.
+// (Ground and clip() throw Disagreement, with the lines that replay it.)
 
 #include <cmath>
 

@@ -1,6 +1,3 @@
-#include <bit>
-#include <cmath>
-#include <limits>
 #include <ostream>
 
 #include <groundtruth/tests/properties/shrinking.hpp>
@@ -63,8 +60,10 @@ Vector some_direction(const std::vector<HalfSpace>& leaves, Dice& dice) {
   return {n[1] * v[2] - n[2] * v[1], n[2] * v[0] - n[0] * v[2], n[0] * v[1] - n[1] * v[0]};
 }
 
+constexpr int odd_numbers_one_in = 24;
+
 void wobble(Vector& vector, Dice& dice) {
-  for (double& number : vector) number = wobbled(number, dice);
+  for (double& number : vector) number = wobbled(number, dice, odd_numbers_one_in);
 }
 
 EntryCase wild_entry(Dice& dice) {
@@ -72,13 +71,13 @@ EntryCase wild_entry(Dice& dice) {
   c.ask = lattice_ask(c.shape, dice);
   c.shape = mapped(c.shape, [&dice](HalfSpace h) {
     wobble(h.normal, dice);
-    h.offset = wobbled(h.offset, dice);
+    h.offset = wobbled(h.offset, dice, odd_numbers_one_in);
     return h;
   });
   wobble(c.ask.from, dice);
   wobble(c.ask.to, dice);
-  double first = wobbled(c.ask.lambda_first, dice);
-  double last = wobbled(c.ask.lambda_last, dice);
+  double first = wobbled(c.ask.lambda_first, dice, odd_numbers_one_in);
+  double last = wobbled(c.ask.lambda_last, dice, odd_numbers_one_in);
   if (last < first) std::swap(first, last);
   c.ask.lambda_first = first;
   c.ask.lambda_last = last;
@@ -86,56 +85,6 @@ EntryCase wild_entry(Dice& dice) {
 }
 
 }  // namespace
-
-double any_double(Dice& dice) {
-  const double sign = dice.one_in(2) ? -1 : 1;
-  switch (dice.whole(0, 7)) {
-    case 0:
-      return sign * 0.0;
-    case 1:  // subnormal
-      return sign * std::ldexp(static_cast<double>(dice.bits() >> 12), -1074);
-    case 2:
-      return sign * std::ldexp(1.0, dice.whole(-1074, 1023));
-    case 3:
-      return sign * dice.whole(0, 100);
-    case 4:
-      return sign * std::ldexp(static_cast<double>(dice.bits() >> 11), dice.whole(-60, -45));
-    case 5: {  // the largest, or close
-      const double shrunk = std::ldexp(static_cast<double>(dice.bits() >> 60), -53);
-      return sign * std::numeric_limits<double>::max() * (1 - shrunk);
-    }
-    case 6:
-      return std::nextafter(sign * std::ldexp(1.0, dice.whole(-1070, 1020)), sign * dice.whole(-1, 1));
-    default: {
-      const double any = std::bit_cast<double>(dice.bits());
-      return std::isfinite(any) ? any : sign;
-    }
-  }
-}
-
-double wobbled(double value, Dice& dice) {
-  if (dice.one_in(24)) return any_double(dice);
-  if (!dice.one_in(4)) return value;
-  const double away = dice.one_in(2) ? 1 : -1;
-  for (int ulps = dice.whole(1, 3); ulps > 0; --ulps) {
-    value = std::nextafter(value, away * std::numeric_limits<double>::max());
-  }
-  return value;
-}
-
-Vector lattice_vector(Dice& dice, int largest) {
-  const auto coordinate = [&] { return static_cast<double>(dice.whole(-largest, largest)); };
-  return {coordinate(), coordinate(), coordinate()};
-}
-
-Vector lattice_normal(Dice& dice) {
-  Vector n{};
-  if (dice.one_in(2)) {
-    n[static_cast<std::size_t>(dice.whole(0, 2))] = dice.one_in(2) ? 1 : -1;
-    return n;
-  }
-  return lattice_vector(dice, dice.whole(1, 2));
-}
 
 Shape lattice_shape(Dice& dice, int depth) {
   if (depth == 0) return dice.one_in(4) ? some_box(dice) : some_leaf(dice);
@@ -171,8 +120,6 @@ EntryAsk lattice_ask(const Shape& shape, Dice& dice) {
   }
   return ask;
 }
-
-rc::Gen<double> any_doubles() { return shrinking(any_double); }
 
 rc::Gen<EntryCase> lattice_entries() {
   return shrinking([](Dice& dice) {

@@ -115,8 +115,9 @@ StepCase enlarged(const StepCase& c, double factor) {
 
 StepCase mirrored(const StepCase& c, std::size_t axis) {
   StepCase result = c;
-  result.shape =
-      mapped(c.shape, [&](const HalfSpace& h) { return HalfSpace{mirrored(h.normal, axis), h.offset}; });
+  result.shape = mapped(c.shape, [&](const HalfSpace& h) {
+    return HalfSpace{mirrored(h.normal, axis), h.offset};
+  });
   const Quaternion& q = c.ask.frame.world_from_wheel;
   const Vector turning = mirrored_axial({q[1], q[2], q[3]}, axis);
   Frame& frame = result.ask.frame;

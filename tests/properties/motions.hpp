@@ -29,8 +29,8 @@ Quaternion product(const Quaternion& left, const Quaternion& right);
 // A rotation that maps the axes to the axes: one of the 24, as a quaternion of -1, 0 and 1.
 Quaternion quarter_turns(Dice& dice);
 
-// The world turned by q about its origin, then shifted. Requires that every coordinate of the case is a multiple of
-// squared_length(q), if that is not 1, 2 or 4 from quarter_turns().
+// The world turned by q about its origin, then shifted. Requires that every coordinate of the case is a
+// multiple of squared_length(q), if that is not 1, 2 or 4 from quarter_turns().
 StepCase moved(const StepCase& c, const Quaternion& q, const Vector& shift);
 
 // All lengths, and with them velocities and forces, times `factor`. (Not the palette's maximum force.)

@@ -9,7 +9,9 @@
 
 namespace groundtruth::properties {
 
-inline Shape half_space(double x, double y, double z, double offset) { return {HalfSpace{{x, y, z}, offset}}; }
+inline Shape half_space(double x, double y, double z, double offset) {
+  return {HalfSpace{{x, y, z}, offset}};
+}
 inline Shape any_of(std::vector<Shape> operands) { return {Union{std::move(operands)}}; }
 inline Shape all_of(std::vector<Shape> operands) { return {Intersection{std::move(operands)}}; }
 inline Shape box(const Vector& low, const Vector& high) {
@@ -35,7 +37,8 @@ std::vector<HalfSpace> leaves_of(const Shape& shape);
 template <typename Map>
 Shape mapped(const Shape& shape, const Map& map) {
   if (const auto* h = std::get_if<HalfSpace>(&shape.expression)) return {map(*h)};
-  if (const auto* c = std::get_if<Covered>(&shape.expression)) return covered(c->material, mapped(*c->over, map));
+  if (const auto* c = std::get_if<Covered>(&shape.expression))
+    return covered(c->material, mapped(*c->over, map));
   if (const auto* p = std::get_if<Painted>(&shape.expression))
     return painted(p->material, mapped(*p->where, map), mapped(*p->over, map));
   std::vector<Shape> operands = operands_of(shape);

@@ -25,9 +25,7 @@ void append(Numbers& numbers, Vector& vector) {
   for (double& number : vector) numbers.push_back(&number);
 }
 
-Numbers numbers_of_half_space(HalfSpace& h) {
-  return {&h.normal[0], &h.normal[1], &h.normal[2], &h.offset};
-}
+Numbers numbers_of_half_space(HalfSpace& h) { return {&h.normal[0], &h.normal[1], &h.normal[2], &h.offset}; }
 
 Numbers numbers_of_clip(ClipAsk& ask) {
   Numbers numbers;
@@ -113,7 +111,8 @@ std::vector<StepCase> simpler(const StepCase& c) {
     out.push_back(c);
     out.back().ask.frame.world_from_wheel = {1, 0, 0, 0};
   }
-  simplify_numbers<StepCase>(c, [](StepCase& s) { return numbers_of_step(s.ask); }, out);
+  simplify_numbers<StepCase>(
+      c, [](StepCase& s) { return numbers_of_step(s.ask); }, out);
   return out;
 }
 

@@ -21,8 +21,8 @@ auto shrinking(Make make) {
   using Value = decltype(make(std::declval<Dice&>()));
   return rc::Gen<Value>([make](const rc::Random& random, int) {
     Dice dice(random);
-    return rc::shrinkable::shrinkRecur(make(dice),
-                                       [](const Value& value) { return rc::seq::fromContainer(simpler(value)); });
+    return rc::shrinkable::shrinkRecur(
+        make(dice), [](const Value& value) { return rc::seq::fromContainer(simpler(value)); });
   });
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 // In a world whose z points down, like an upright wheel's: what it may stand on.
 Shape some_ground(Dice& dice) {
-  const double depth = dice.whole(0, 4);
-  switch (dice.whole(0, 5)) {
+  const double depth = dice.whole(0, 5);
+  switch (dice.whole(0, 8)) {
     case 0:  // a ramp
       return half_space(dice.whole(-2, 2), dice.whole(-2, 2), -dice.whole(1, 4), -depth);
     case 1: {  // a kerb
@@ -57,7 +57,8 @@ Contact some_contact(const StepAsk& ask, Dice& dice) {
   contact.grip = dice.one_in(2) ? Grip::stick : Grip::slip;
   contact.pebble_in_world = lattice_vector(dice, 2);
   const int travel = static_cast<int>(2 * (wheel.z_max - wheel.z_min));
-  contact.pebble_in_world[2] = wheel.z_min + dice.whole(0, travel) / 2.0;
+  const int end = dice.one_in(4) ? 0 : 1;  // 0: on the very ends as well
+  contact.pebble_in_world[2] = wheel.z_min + dice.whole(end, travel - end) / 2.0;
   for (std::size_t i = 0; i < 3; ++i) contact.pebble_in_world[i] += ask.frame.position_in_world[i];
   contact.pebble_velocity_in_world = lattice_vector(dice, dice.whole(0, 2));
   contact.normal_in_world = {0, 0, -1};
@@ -71,7 +72,7 @@ Contact some_contact(const StepAsk& ask, Dice& dice) {
 
 // As if the world's z pointed down.
 StepCase level_step(Dice& dice) {
-  StepCase c{some_scene(dice), {}};
+  StepCase c;
   StepAsk& ask = c.ask;
   ask.wheel = some_wheel(dice);
   ask.brake = dice.pick({0.0, 1.0, 2.0, 3.0, 0.5, 1e3});
@@ -83,7 +84,11 @@ StepCase level_step(Dice& dice) {
     ask.frame.world_from_wheel = dice.pick<Quaternion>(
         {{2, 1, 0, 0}, {3, 0, -1, 0}, {5, 1, 1, 0}, {1, 0, 0, 3}, {-7, 1, 2, 3}, {4, 0, 0, 0}});
   }
-  if (!dice.one_in(4)) ask.state = some_contact(ask, dice);
+  if (!dice.one_in(6)) ask.state = some_contact(ask, dice);
+  c.shape = some_scene(dice);
+  const double within_reach = ask.frame.position_in_world[2] + ask.wheel.z_min + 1;
+  if (!dice.one_in(3))
+    c.shape = covered(dice.pick<MaterialIndex>({0, 0, 3}), half_space(0, 0, -1, -within_reach));
   return c;
 }
 
@@ -91,9 +96,12 @@ StepCase lattice_step(Dice& dice) {
   return moved(level_step(dice), quarter_turns(dice), lattice_vector(dice, dice.whole(0, 1)));
 }
 
+// Rarely, as exact numbers of thousands of digits take the second witness long.
+constexpr int odd_one_in = 400;
+
 StepCase wild_step(Dice& dice) {
   StepCase c = lattice_step(dice);
-  const auto wobble = [&dice](double& number) { number = wobbled(number, dice); };
+  const auto wobble = [&dice](double& number) { number = wobbled(number, dice, odd_one_in); };
   const auto wobble_all = [&](Vector& vector) { std::for_each(vector.begin(), vector.end(), wobble); };
   c.shape = mapped(c.shape, [&](HalfSpace h) {
     wobble_all(h.normal);
@@ -112,7 +120,7 @@ StepCase wild_step(Dice& dice) {
     wobble_all(contact->pebble_velocity_in_world);
     wobble_all(contact->normal_in_world);
   }
-  c.ask.brake = std::fabs(wobbled(c.ask.brake, dice));
+  c.ask.brake = std::fabs(wobbled(c.ask.brake, dice, odd_one_in));
   return c;
 }
 

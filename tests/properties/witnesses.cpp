@@ -16,8 +16,9 @@ namespace {
 
 const std::string case_id = "\"case\"";
 
-[[noreturn]] void disagree(const Scene& scene, const Ask& ask, const Answer& exact, const Evidence& exact_evidence,
-                           const Answer& definition, const Evidence& definition_evidence) {
+[[noreturn]] void disagree(const Scene& scene, const Ask& ask, const Answer& exact,
+                           const Evidence& exact_evidence, const Answer& definition,
+                           const Evidence& definition_evidence) {
   throw Disagreement("exact and definition disagree:\n" + replay(scene, ask) +
                      "\nexact:      " + write_answer(case_id, exact, exact_evidence, scene) +
                      "\ndefinition: " + write_answer(case_id, definition, definition_evidence, scene));
@@ -72,7 +73,8 @@ StepAnswer Ground::step(const StepAsk& ask) const {
   const StepAnswer exact = exact::step(exact_, ask).answer;
   const StepAnswer definition = definition::step(definition_, ask);
   // The wording of a refusal is free.
-  const bool both_refuse = std::holds_alternative<Refusal>(exact) && std::holds_alternative<Refusal>(definition);
+  const bool both_refuse =
+      std::holds_alternative<Refusal>(exact) && std::holds_alternative<Refusal>(definition);
   if (!both_refuse && !(exact == definition)) disagree(scene_, ask, exact, {}, definition, {});
   return exact;
 }
@@ -80,7 +82,8 @@ StepAnswer Ground::step(const StepAsk& ask) const {
 ClipAnswer clip(const ClipAsk& ask) {
   const ClipAnswer exact = exact::clip(ask).answer;
   const ClipAnswer definition = definition::clip(ask);
-  const bool both_refuse = std::holds_alternative<Refusal>(exact) && std::holds_alternative<Refusal>(definition);
+  const bool both_refuse =
+      std::holds_alternative<Refusal>(exact) && std::holds_alternative<Refusal>(definition);
   if (!both_refuse && !(exact == definition)) disagree(bare(), ask, exact, {}, definition, {});
   return exact;
 }

@@ -39,8 +39,8 @@ std::ostream& operator<<(std::ostream& out, const Entered& entered);
 // The same lambda, and the same of miss, inside and border.
 bool same_place(const Entered& left, const Entered& right);
 
-// Which palette of materials the shapes of these tests refer to: "dry", "metal-only", "soft" (gives way at 6 N)
-// and "ice" (static 0.25, dynamic 0).
+// Which palette of materials the shapes of these tests refer to: "dry", "metal-only", "soft" (gives way at 6
+// N) and "ice" (static 0.25, dynamic 0).
 std::vector<Material> palette();
 
 // A scene, prepared once.
