@@ -25,6 +25,7 @@ class Compiler {
     scene_.materials_ = scene.materials;
     Site site{scene_.solid_, Role::solid, std::nullopt};
     operate(site, NodeKind::union_of, [&](Operator& op) { add(site, scene.shape, op); });
+    add_parts();
     scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
                                   std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
   }
@@ -40,6 +41,26 @@ class Compiler {
     Role role;
     std::optional<std::size_t> rule;
   };
+
+  // The operands of the solid's union, or the solid itself.
+  void add_parts() {
+    const std::vector<Node>& nodes = scene_.solid_.nodes;
+    if (nodes.front().kind != NodeKind::union_of) return add_part(nodes.data());
+    for (const Node* operand = nodes.data() + 1; operand != nodes.data() + nodes.size(); operand += operand->size)
+      add_part(operand);
+  }
+
+  void add_part(const Node* node) {
+    if (node->kind == NodeKind::nothing) return;
+    if (node->kind != NodeKind::cell) {
+      scene_.parts_.general.push_back(static_cast<std::uint32_t>(node - scene_.solid_.nodes.data()));
+      return;
+    }
+    PackedCells& cells = scene_.parts_.cells;
+    cells.begin_cell();
+    for (std::uint32_t leaf = node->first_leaf; leaf != node->end_leaf; ++leaf)
+      cells.add(scene_.solid_.leaves[leaf], leaf);
+  }
 
   static bool is_ordinary(const Expression& expression) {
     return std::all_of(expression.leaves.begin(), expression.leaves.end(), [](const HalfSpace& leaf) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <groundtruth/fast/expression.hpp>
+#include <groundtruth/fast/parts.hpp>
 #include <groundtruth/problem/scene.hpp>
 
 namespace groundtruth::fast {
@@ -20,6 +21,7 @@ struct MaterialRule {
 class Scene {
  public:
   const Expression& solid() const { return solid_; }
+  const Parts& parts() const { return parts_; }
   const std::vector<Expression>& regions() const { return regions_; }
   const std::vector<MaterialRule>& rules() const { return rules_; }
   // The innermost rule of each leaf of the solid.
@@ -33,6 +35,7 @@ class Scene {
   Scene() = default;
 
   Expression solid_;
+  Parts parts_;
   std::vector<Expression> regions_;
   std::vector<MaterialRule> rules_;
   std::vector<std::optional<std::size_t>> rule_of_leaf_;

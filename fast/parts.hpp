@@ -1,0 +1,52 @@
+#pragma once
+// The solid as a union of parts, in the form in which they are searched.
+
+#include <cstdint>
+#include <vector>
+
+#include <groundtruth/problem/shape.hpp>
+
+namespace groundtruth::fast {
+
+// Four half-spaces, their numbers side by side. Those that fill up a cell's last group hold everywhere.
+struct alignas(64) HalfSpaces4 {
+  double normal_x[4];
+  double normal_y[4];
+  double normal_z[4];
+  double offset[4];
+};
+
+inline constexpr Leaf no_leaf = 0xffffffff;
+
+// An intersection of half-spaces. Places of its leaves are 4 * first_group, ... in PackedCells::leaves.
+struct Cell {
+  std::uint32_t first_group = 0;
+  std::uint32_t end_group = 0;
+  float normal_size = 0;  // >= |n_x| + |n_y| + |n_z| of each
+  float offset_size = 0;  // >= |d| of each
+};
+
+struct PackedCells {
+  std::vector<HalfSpaces4> groups;
+  std::vector<std::uint32_t> leaves;  // by place; no_leaf where a group is filled up
+  std::vector<Cell> cells;
+
+  // Appends a cell without half-spaces, then half-spaces to the last cell.
+  void begin_cell();
+  void add(const HalfSpace& half_space, Leaf leaf);
+};
+
+// A convex cell, by its place in Parts::cells; from there on a node of the solid, by its place in
+// Parts::general.
+using Part = std::uint32_t;
+
+struct Parts {
+  PackedCells cells;
+  std::vector<std::uint32_t> general;  // where these operands start in the solid's nodes
+
+  std::size_t size() const { return cells.cells.size() + general.size(); }
+  bool is_cell(Part part) const { return part < cells.cells.size(); }
+  std::uint32_t node_of(Part part) const { return general[part - cells.cells.size()]; }
+};
+
+}  // namespace groundtruth::fast
