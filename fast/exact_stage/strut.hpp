@@ -1,0 +1,34 @@
+#pragma once
+// Where a wheel's strut meets the ground, exactly. Not installed.
+
+#include <optional>
+#include <variant>
+
+#include <groundtruth/fast/exact_stage/rotation.hpp>
+#include <groundtruth/fast/step_contact.hpp>
+#include <groundtruth/problem/ask.hpp>
+
+namespace groundtruth::fast::exact_stage {
+
+// (x, y) of a strut in wheel coordinates.
+struct PlaceInWheel {
+  Surd x;
+  Surd y;
+  Dyadic denominator;  // > 0
+  Radicands roots;
+};
+
+struct Landing {
+  Surface surface;
+  SurdVector pebble_in_world;
+};
+
+using Touch = std::variant<NoContact, Landing, StepFailure, Refusal>;
+
+// What the wheel of the ask finds along its strut, from z_min to z_max: NoContact also where it ends in the
+// surface. Looks only at the leaves of `solid`, which need not be the scene's whole solid: what is left of it
+// along the strut will do.
+Touch touch(const Scene& scene, const ExpressionView& solid, const StepAsk& ask,
+            const WorldFromWheel& world_from_wheel, const PlaceInWheel& place);
+
+}  // namespace groundtruth::fast::exact_stage
