@@ -12,7 +12,7 @@ namespace {
 using Lanes = double __attribute__((vector_size(32)));
 using Mask = std::int64_t __attribute__((vector_size(32)));
 
-constexpr Lanes all(double x) { return Lanes{x, x, x, x}; }
+constexpr Lanes before{-1, -1, -1, -1}, one{1, 1, 1, 1}, after{2, 2, 2, 2};  // the range, or in it
 
 bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 double greatest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); }
@@ -31,14 +31,14 @@ struct Crossings {
 class Crosser {
  public:
   Crosser(const Probe& probe, double error)
-      : first_x_(all(probe.ends().first[0])),
-        first_y_(all(probe.ends().first[1])),
-        first_z_(all(probe.ends().first[2])),
-        last_x_(all(probe.ends().last[0])),
-        last_y_(all(probe.ends().last[1])),
-        last_z_(all(probe.ends().last[2])),
-        error_(all(error)),
-        twice_error_(all(2 * error)) {}
+      : first_x_(Lanes{} + probe.ends().first[0]),
+        first_y_(Lanes{} + probe.ends().first[1]),
+        first_z_(Lanes{} + probe.ends().first[2]),
+        last_x_(Lanes{} + probe.ends().last[0]),
+        last_y_(Lanes{} + probe.ends().last[1]),
+        last_z_(Lanes{} + probe.ends().last[2]),
+        error_(Lanes{} + error),
+        twice_error_(Lanes{} + 2 * error) {}
 
   [[gnu::always_inline]] inline void cross(const HalfSpaces4& group, Crossings& crossings) const {
     const auto& x = reinterpret_cast<const Lanes&>(group.normal_x);
@@ -52,8 +52,8 @@ class Crosser {
     crossings.is_outside = (a > error_) & (b > error_);
     crossings.enters = w > twice_error_;
     crossings.leaves = w < -twice_error_;
-    const Lanes crossing_w = (crossings.enters | crossings.leaves) ? w : all(1);
-    const Lanes inverse = all(1) / crossing_w;
+    const Lanes crossing_w = (crossings.enters | crossings.leaves) ? w : one;
+    const Lanes inverse = one / crossing_w;
     const Lanes middle = a * inverse;
     const Lanes margin = error_ * inverse;
     crossings.lower = crossings.enters ? middle - margin : middle + margin;
@@ -74,15 +74,15 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe) {
   const double error = error_bound(cell, probe);
   if (!(error < greatest_usable_error)) return {};
   const Crosser crosser(probe, error);
-  Lanes enter_lower = all(-1), enter_upper = all(-1), exit_lower = all(2), exit_upper = all(2);
+  Lanes enter_lower = before, enter_upper = before, exit_lower = after, exit_upper = after;
   Mask is_outside{}, is_undecided{};
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
     crosser.cross(cells.groups[i], at);
     is_outside |= at.is_outside;
     is_undecided |= ~(at.enters | at.leaves | at.is_inside);
-    const Lanes in_lower = at.enters ? at.lower : all(-1), in_upper = at.enters ? at.upper : all(-1);
-    const Lanes out_lower = at.leaves ? at.lower : all(2), out_upper = at.leaves ? at.upper : all(2);
+    const Lanes in_lower = at.enters ? at.lower : before, in_upper = at.enters ? at.upper : before;
+    const Lanes out_lower = at.leaves ? at.lower : after, out_upper = at.leaves ? at.upper : after;
     enter_lower = in_lower > enter_lower ? in_lower : enter_lower;
     enter_upper = in_upper > enter_upper ? in_upper : enter_upper;
     exit_lower = out_lower < exit_lower ? out_lower : exit_lower;
@@ -103,8 +103,8 @@ Leaf sole_leaf(const PackedCells& cells, const Cell& cell, const Probe& probe, c
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
     crosser.cross(cells.groups[i], at);
-    const Mask touches = (at.enters & (at.upper >= all(meeting.lower))) |
-                         (at.leaves & (at.lower <= all(meeting.upper)));
+    const Mask touches = (at.enters & (at.upper >= meeting.lower)) |
+                         (at.leaves & (at.lower <= meeting.upper));
     for (int lane = 0; lane < 4; ++lane) {
       if (!touches[lane]) continue;
       if (found != no_leaf) return no_leaf;

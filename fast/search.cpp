@@ -11,8 +11,10 @@ double SearchResult::lower() const {
 }
 
 void SearchResult::drop_late_ones() {
-  const auto is_late = [this](const Contender& contender) { return contender.meeting.lower > upper; };
-  contenders.erase(std::remove_if(contenders.begin(), contenders.end(), is_late), contenders.end());
+  std::size_t kept = 0;
+  for (const Contender& contender : contenders)
+    if (contender.meeting.lower <= upper) contenders[kept++] = contender;
+  contenders.resize(kept);
 }
 
 namespace {

@@ -85,7 +85,8 @@ std::optional<ExactEntry> decide(const Scene& scene, const Probe& probe, const E
     open.assemble(contenders.data(), contenders.data() + few, result.upper);
     const auto point = exact_stage::first_point(open.view(), ask);
     if (!point) {
-      contenders.erase(contenders.begin(), contenders.begin() + few);
+      std::move(contenders.begin() + few, contenders.end(), contenders.begin());
+      contenders.resize(contenders.size() - few);
       continue;
     }
     result.upper = std::min(result.upper, position_above(point->lambda, ask));
