@@ -102,4 +102,19 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
   return found;
 }
 
+std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
+                                                                const HitPlace& place) {
+  std::optional<MaterialIndex> material;
+  const HalfSpace& face = scene.solid().leaves[place.leaf];
+  for (auto at = scene.rule_of_leaf()[place.leaf]; at; at = scene.rules()[*at].outer_rule) {
+    const MaterialRule& rule = scene.rules()[*at];
+    const Membership member = rule.region
+                                  ? RegionView(scene.regions()[*rule.region], probe, place, face).of_whole()
+                                  : Membership::yes;
+    if (member == Membership::open) return std::nullopt;
+    if (member == Membership::yes) material = rule.material;
+  }
+  return material;
+}
+
 }  // namespace groundtruth::fast

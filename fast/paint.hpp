@@ -26,4 +26,8 @@ struct FaceMaterial {
 // The outermost rule over the leaf that holds at the place (SPEC section 2), exactly.
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place);
 
+// The same for any range, if doubles can tell.
+std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
+                                                                const HitPlace& place);
+
 }  // namespace groundtruth::fast

@@ -20,11 +20,11 @@ struct PebbleInWheel {
 
 class Stepper {
  public:
-  Stepper(const Scene& scene, const ExpressionView& solid, const StepAsk& ask)
-      : scene_(scene), solid_(solid), ask_(ask), world_from_wheel_(ask.frame.world_from_wheel) {}
+  Stepper(const Scene& scene, Ground& ground, const StepAsk& ask)
+      : scene_(scene), ground_(ground), ask_(ask), world_from_wheel_(ask.frame.world_from_wheel) {}
 
   StepAnswer from_free() const {
-    const Touch found = touch(scene_, solid_, ask_, world_from_wheel_, {{}, {}, 1.0, {}});
+    const Touch found = touch(scene_, ground_, ask_, world_from_wheel_, {{}, {}, 1.0, {}});
     const auto* landing = std::get_if<Landing>(&found);
     if (!landing) return no_landing(found, SurdVector{{}, 1.0, {}});
     const auto pebble = nearest_doubles(landing->pebble_in_world, "state.pebble");
@@ -83,7 +83,7 @@ class Stepper {
   }
 
   StepAnswer slip(const Contact& contact, const PebbleInWheel& pebble, const ClippedForce& clipped) const {
-    const Touch found = touch(scene_, solid_, ask_, world_from_wheel_, relocated(pebble, clipped));
+    const Touch found = touch(scene_, ground_, ask_, world_from_wheel_, relocated(pebble, clipped));
     const auto* landing = std::get_if<Landing>(&found);
     if (!landing) return no_landing(found, clipped.force_in_wheel);
     const SurdVector& place = landing->pebble_in_world;
@@ -117,15 +117,15 @@ class Stepper {
   }
 
   const Scene& scene_;
-  const ExpressionView& solid_;
+  Ground& ground_;
   const StepAsk& ask_;
   const WorldFromWheel world_from_wheel_;
 };
 
 }  // namespace
 
-StepAnswer step(const Scene& scene, const ExpressionView& solid, const StepAsk& ask) {
-  const Stepper stepper(scene, solid, ask);
+StepAnswer step(const Scene& scene, Ground& ground, const StepAsk& ask) {
+  const Stepper stepper(scene, ground, ask);
   const auto* contact = std::get_if<Contact>(&ask.state);
   return contact ? stepper.from(*contact) : stepper.from_free();
 }

@@ -1,5 +1,7 @@
 #include <groundtruth/fast/exact_stage/strut.hpp>
 
+#include <limits>
+
 #include <groundtruth/fast/exact_stage/first_point.hpp>
 
 namespace groundtruth::fast::exact_stage {
@@ -32,6 +34,19 @@ class Strut {
     Lines<SurdNumbers> lines;
     for (const HalfSpace& leaf : expression.leaves) lines.push_back(line(leaf));
     return lines;
+  }
+
+  // In doubles.
+  RangeEnds ends() const {
+    std::array<Surd, 3> last = start_;
+    for (std::size_t axis = 0; axis < 3; ++axis) last[axis].rational = last[axis].rational + direction_[axis];
+    const auto first_end = nearest_doubles({start_, denominator_, numbers_.roots}, "");
+    const auto last_end = nearest_doubles({last, denominator_, numbers_.roots}, "");
+    if (first_end.index() != 0 || last_end.index() != 0)
+      return {{}, {}, std::numeric_limits<double>::infinity()};
+    RangeEnds ends{std::get<Vector>(first_end), std::get<Vector>(last_end), 0};
+    ends.coordinate_error = 0x1p-53 * ends.greatest_coordinate() + 0x1p-1000;
+    return ends;
   }
 
   // Requires that the line enters.
@@ -70,9 +85,10 @@ std::optional<MaterialIndex> material_at(const Scene& scene, Leaf leaf, const St
 
 }  // namespace
 
-Touch touch(const Scene& scene, const ExpressionView& solid, const StepAsk& ask,
-            const WorldFromWheel& world_from_wheel, const PlaceInWheel& place) {
+Touch touch(const Scene& scene, Ground& ground, const StepAsk& ask, const WorldFromWheel& world_from_wheel,
+            const PlaceInWheel& place) {
   const Strut strut(ask, world_from_wheel, place);
+  const ExpressionView solid = ground.along(strut.ends());
   const Lines<SurdNumbers> lines = strut.lines(solid);
   const auto normal_of = [&](std::size_t leaf) { return dyadic_normal(solid.leaves[leaf]); };
   const auto found = find_first_point(strut.numbers(), solid, lines, Dyadic(1.0), normal_of);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include <groundtruth/fast/exact_stage/rotation.hpp>
+#include <groundtruth/fast/range_ends.hpp>
 #include <groundtruth/fast/step_contact.hpp>
 #include <groundtruth/problem/ask.hpp>
 
@@ -25,10 +26,17 @@ struct Landing {
 
 using Touch = std::variant<NoContact, Landing, StepFailure, Refusal>;
 
+// Finds what is left of a scene's solid along a strut: an expression that is met at the same place, with the
+// same leaves at it. Valid until the next call.
+class Ground {
+ public:
+  virtual ~Ground() = default;
+  virtual ExpressionView along(const RangeEnds& ends) = 0;
+};
+
 // What the wheel of the ask finds along its strut, from z_min to z_max: NoContact also where it ends in the
-// surface. Looks only at the leaves of `solid`, which need not be the scene's whole solid: what is left of it
-// along the strut will do.
-Touch touch(const Scene& scene, const ExpressionView& solid, const StepAsk& ask,
-            const WorldFromWheel& world_from_wheel, const PlaceInWheel& place);
+// surface.
+Touch touch(const Scene& scene, Ground& ground, const StepAsk& ask, const WorldFromWheel& world_from_wheel,
+            const PlaceInWheel& place);
 
 }  // namespace groundtruth::fast::exact_stage
