@@ -10,6 +10,7 @@ namespace {
 // Compilers map these onto whatever vectors the target has; every lane is IEEE arithmetic without fusing, so
 // the bits are the same everywhere. They are handed on by reference: by value the ABI depends on the target.
 using Lanes = double __attribute__((vector_size(32)));
+using Loaded = double __attribute__((vector_size(32), may_alias));
 using Mask = std::int64_t __attribute__((vector_size(32)));
 
 constexpr Lanes before{-1, -1, -1, -1}, one{1, 1, 1, 1}, after{2, 2, 2, 2};  // the range, or in it
@@ -41,10 +42,10 @@ class Crosser {
         twice_error_(Lanes{} + 2 * error) {}
 
   [[gnu::always_inline]] inline void cross(const HalfSpaces4& group, Crossings& crossings) const {
-    const auto& x = reinterpret_cast<const Lanes&>(group.normal_x);
-    const auto& y = reinterpret_cast<const Lanes&>(group.normal_y);
-    const auto& z = reinterpret_cast<const Lanes&>(group.normal_z);
-    const auto& offset = reinterpret_cast<const Lanes&>(group.offset);
+    const auto& x = reinterpret_cast<const Loaded&>(group.normal_x);
+    const auto& y = reinterpret_cast<const Loaded&>(group.normal_y);
+    const auto& z = reinterpret_cast<const Loaded&>(group.normal_z);
+    const auto& offset = reinterpret_cast<const Loaded&>(group.offset);
     const Lanes a = x * first_x_ + y * first_y_ + z * first_z_ - offset;
     const Lanes b = x * last_x_ + y * last_y_ + z * last_z_ - offset;
     const Lanes w = a - b;

@@ -1,4 +1,6 @@
 #include <algorithm>
+
+#include <groundtruth/fast/divide.hpp>
 #include <groundtruth/fast/number.hpp>
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/fast/segment.hpp>
@@ -21,11 +23,15 @@ struct Operator {
 
 class Compiler {
  public:
-  explicit Compiler(const groundtruth::Scene& scene) {
+  Compiler(const groundtruth::Scene& scene, const CompileOptions& options) : options_(options) {
     scene_.materials_ = scene.materials;
     Site site{scene_.solid_, Role::solid, std::nullopt};
     operate(site, NodeKind::union_of, [&](Operator& op) { add(site, scene.shape, op); });
-    add_parts();
+    if (options.has(Simplification::constants)) fold_constants();
+    if (hidden_rules_ > 0)
+      scene_.left_out_.push_back(
+          {Simplification::hidden_rules, hidden_rules_, "materials and paints under a material"});
+    scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
     scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
                                   std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
   }
@@ -42,24 +48,12 @@ class Compiler {
     std::optional<std::size_t> rule;
   };
 
-  // The operands of the solid's union, or the solid itself.
-  void add_parts() {
-    const std::vector<Node>& nodes = scene_.solid_.nodes;
-    if (nodes.front().kind != NodeKind::union_of) return add_part(nodes.data());
-    for (const Node* operand = nodes.data() + 1; operand != nodes.data() + nodes.size(); operand += operand->size)
-      add_part(operand);
-  }
-
-  void add_part(const Node* node) {
-    if (node->kind == NodeKind::nothing) return;
-    if (node->kind != NodeKind::cell) {
-      scene_.parts_.general.push_back(static_cast<std::uint32_t>(node - scene_.solid_.nodes.data()));
-      return;
-    }
-    PackedCells& cells = scene_.parts_.cells;
-    cells.begin_cell();
-    for (std::uint32_t leaf = node->first_leaf; leaf != node->end_leaf; ++leaf)
-      cells.add(scene_.solid_.leaves[leaf], leaf);
+  void fold_constants() {
+    std::vector<Node> folded = fold(scene_.solid_);
+    if (folded.size() < scene_.solid_.nodes.size())
+      scene_.left_out_.push_back({Simplification::constants, scene_.solid_.nodes.size() - folded.size(),
+                                  "constants, and operators that they decide"});
+    scene_.solid_.nodes = std::move(folded);
   }
 
   static bool is_ordinary(const Expression& expression) {
@@ -115,6 +109,10 @@ class Compiler {
 
   void add(const Site& site, const Painted& paint, Operator& op) {
     if (site.role == Role::region) return add(site, *paint.over, op);
+    if (is_hidden(site)) {
+      ++hidden_rules_;
+      return add(site, *paint.over, op);
+    }
     const std::size_t region = scene_.regions_.size();
     scene_.regions_.emplace_back();
     Expression expression;
@@ -125,8 +123,17 @@ class Compiler {
                    op);
   }
 
+  // The innermost rule so far covers all: it decides wherever none further out does.
+  bool is_hidden(const Site& site) const {
+    return options_.has(Simplification::hidden_rules) && site.rule && !scene_.rules_[*site.rule].region;
+  }
+
   void add_under_rule(const Site& site, const MaterialRule& rule, const Shape& over, Operator& op) {
     if (site.role == Role::region) return add(site, over, op);
+    if (is_hidden(site)) {
+      ++hidden_rules_;
+      return add(site, over, op);
+    }
     scene_.rules_.push_back(rule);
     add(Site{site.expression, site.role, scene_.rules_.size() - 1}, over, op);
   }
@@ -147,9 +154,13 @@ class Compiler {
     site.expression.nodes.push_back({.kind = kind});
   }
 
+  const CompileOptions& options_;
+  std::size_t hidden_rules_ = 0;
   Scene scene_;
 };
 
-Scene compile(const groundtruth::Scene& scene) { return Compiler(scene).result(); }
+Scene compile(const groundtruth::Scene& scene, const CompileOptions& options) {
+  return Compiler(scene, options).result();
+}
 
 }  // namespace groundtruth::fast

@@ -51,4 +51,8 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
 
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }
 
+void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
+  for (std::size_t i = 0; i != asks.size(); ++i) answers[i] = entry_point(scene, asks[i]);
+}
+
 }  // namespace groundtruth::fast

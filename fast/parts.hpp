@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <groundtruth/fast/grid.hpp>
+#include <groundtruth/fast/hierarchy.hpp>
 #include <groundtruth/problem/shape.hpp>
 
 namespace groundtruth::fast {
@@ -43,6 +45,9 @@ using Part = std::uint32_t;
 struct Parts {
   PackedCells cells;
   std::vector<std::uint32_t> general;  // where these operands start in the solid's nodes
+  std::vector<Part> apart;             // not in the hierarchy: looked at one by one, first
+  BoxHierarchy hierarchy;              // over the others
+  Grid grid;                           // over the same ones, or none
 
   std::size_t size() const { return cells.cells.size() + general.size(); }
   bool is_cell(Part part) const { return part < cells.cells.size(); }

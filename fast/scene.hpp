@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <groundtruth/fast/compile_options.hpp>
 #include <groundtruth/fast/expression.hpp>
 #include <groundtruth/fast/parts.hpp>
 #include <groundtruth/problem/scene.hpp>
@@ -27,6 +28,8 @@ class Scene {
   // The innermost rule of each leaf of the solid.
   const std::vector<std::optional<std::size_t>>& rule_of_leaf() const { return rule_of_leaf_; }
   const std::vector<Material>& materials() const { return materials_; }
+  // What compiling dropped, skipped and chosen, and why.
+  const std::vector<LeftOut>& left_out() const { return left_out_; }
   // No normal or offset is so large or small that asks of ordinary size must be answered in wide numbers.
   bool is_of_ordinary_size() const { return is_of_ordinary_size_; }
 
@@ -40,12 +43,13 @@ class Scene {
   std::vector<MaterialRule> rules_;
   std::vector<std::optional<std::size_t>> rule_of_leaf_;
   std::vector<Material> materials_;
+  std::vector<LeftOut> left_out_;
   bool is_of_ordinary_size_ = true;
 };
 
-// Flattens a scene, once. Requires what every scene owes (SPEC sections 1 and 2: finite numbers, materials
+// Prepares a scene, once. Requires what every scene owes (SPEC sections 1 and 2: finite numbers, materials
 // that exist, no null operand), operators nested at most 1,000 deep and fewer than 2^32 half-spaces.
 // Nothing in the result refers to the argument.
-Scene compile(const groundtruth::Scene& scene);
+Scene compile(const groundtruth::Scene& scene, const CompileOptions& options = {});
 
 }  // namespace groundtruth::fast

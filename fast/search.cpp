@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <groundtruth/fast/box_probe.hpp>
+
 namespace groundtruth::fast {
 
 double SearchResult::lower() const {
@@ -37,7 +39,99 @@ class Search {
 
   bool is_over() const { return result_.starts_inside; }
 
+  void visit_all_of_hierarchy() {
+    for (const BoxNode& node : scene_.parts().hierarchy.nodes)
+      for (const std::uint32_t child : node.children)
+        if (child >= BoxNode::first_part && child != BoxNode::no_child && !is_over())
+          visit(child - BoxNode::first_part);
+  }
+
+  // Nearest boxes first.
+  void visit_hierarchy() {
+    const BoxProbe box_probe(probe_.ends());
+    const std::vector<BoxNode>& nodes = scene_.parts().hierarchy.nodes;
+    boost::container::small_vector<Open, 128> open{{0, 0}};
+    while (!open.empty()) {
+      const Open top = open.back();
+      open.pop_back();
+      if (double{top.nearest} > result_.upper) continue;
+      if (top.child >= BoxNode::first_part) {
+        visit(top.child - BoxNode::first_part);
+        if (is_over()) return;
+        continue;
+      }
+      const BoxNode& node = nodes[top.child];
+      float nearest[BoxNode::width];
+      box_probe.meet(node, result_.upper, nearest);
+      const std::size_t below = open.size();
+      for (std::uint32_t i = 0; i < BoxNode::width; ++i) {
+        if (nearest[i] > 1 || node.children[i] == BoxNode::no_child) continue;
+        open.push_back({nearest[i], node.children[i]});
+        for (std::size_t at = open.size() - 1; at > below && open[at - 1].nearest < open[at].nearest; --at)
+          std::swap(open[at - 1], open[at]);
+      }
+    }
+  }
+
+  // Only a range over few squares is looked up in them: false if it is longer, or there are none.
+  bool visit_squares() {
+    const Grid& grid = scene_.parts().grid;
+    if (grid.rows == 0) return false;
+    const Squares squares = squares_of(grid);
+    if (squares.count() > most_squares) return false;
+    for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
+      for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
+        const std::size_t square = std::size_t{row} * grid.columns + column;
+        for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i) {
+          const GridEntry& entry = grid.entries[i];
+          if (!is_near(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
+          visit(entry.part);
+          if (is_over()) return true;
+        }
+      }
+    return true;
+  }
+
  private:
+  struct Open {
+    float nearest;
+    std::uint32_t child;
+  };
+
+  struct Squares {
+    std::uint32_t first_column, last_column, first_row, last_row;
+    std::size_t count() const {
+      return std::size_t{last_column - first_column + 1} * (last_row - first_row + 1);
+    }
+  };
+
+  static constexpr std::size_t most_squares = 6;
+
+  double lowest(std::size_t axis) const {
+    const RangeEnds& ends = probe_.ends();
+    return std::min(ends.first[axis], ends.last[axis]) - 2 * ends.coordinate_error;
+  }
+  double highest(std::size_t axis) const {
+    const RangeEnds& ends = probe_.ends();
+    return std::max(ends.first[axis], ends.last[axis]) + 2 * ends.coordinate_error;
+  }
+
+  Squares squares_of(const Grid& grid) const {
+    return {grid.column_of(lowest(grid.across)), grid.column_of(highest(grid.across)),
+            grid.row_of(lowest(grid.along)), grid.row_of(highest(grid.along))};
+  }
+
+  bool is_near(const GridEntry& entry) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (double{entry.low[axis]} > highest(axis) || double{entry.high[axis]} < lowest(axis)) return false;
+    return true;
+  }
+
+  bool is_contender(Part part) const {
+    return std::any_of(result_.contenders.begin(), result_.contenders.end(),
+                       [&](const Contender& contender) { return contender.part == part; });
+  }
+
   Meeting meet(Part part) {
     const Parts& parts = scene_.parts();
     if (parts.is_cell(part)) return fast::meet(parts.cells, parts.cells.cells[part], probe_);
@@ -55,8 +149,17 @@ class Search {
 
 void search(const Scene& scene, const Probe& probe, SearchResult& result) {
   Search run(scene, probe, result);
-  const auto parts = static_cast<Part>(scene.parts().size());
-  for (Part part = 0; part != parts && !run.is_over(); ++part) run.visit(part);
+  const Parts& parts = scene.parts();
+  for (const Part part : parts.apart) {
+    run.visit(part);
+    if (run.is_over()) return;
+  }
+  if (!parts.hierarchy.nodes.empty()) {
+    if (!(probe.ends().greatest_coordinate() < greatest_box_coordinate && probe.ends().coordinate_error < 1))
+      run.visit_all_of_hierarchy();
+    else if (!run.visit_squares())
+      run.visit_hierarchy();
+  }
   result.drop_late_ones();
 }
 

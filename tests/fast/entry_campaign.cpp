@@ -15,7 +15,7 @@
 namespace groundtruth {
 namespace {
 
-using Histogram = std::array<std::uint64_t, 4>;
+using Histogram = std::array<std::uint64_t, 5>;
 
 struct Tally {
   Histogram place{}, lambda{}, material{};
@@ -26,7 +26,7 @@ struct Tally {
 void print(const char* what, const Histogram& histogram) {
   std::printf("  %-9s none %8llu  doubles %8llu  double-double %8llu  exact %8llu\n", what,
               static_cast<unsigned long long>(histogram[0]), static_cast<unsigned long long>(histogram[1]),
-              static_cast<unsigned long long>(histogram[2]), static_cast<unsigned long long>(histogram[3]));
+              static_cast<unsigned long long>(histogram[3]), static_cast<unsigned long long>(histogram[4]));
 }
 
 void run_part(const Scene& scene, std::uint64_t seed, std::uint64_t asks, const std::string& name, Tally& tally) {
