@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <groundtruth/fast/hierarchy.hpp>
+#include <groundtruth/fast/lanes.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 
 namespace groundtruth::fast {
@@ -37,24 +38,19 @@ class BoxProbe {
   // Positions at which the children of the node may be met first; greater than `upper`, which is at most 1,
   // where they are not before.
   void meet(const BoxNode& node, double upper, float (&nearest)[BoxNode::width]) const {
-    Lanes near = Lanes{}, far = Lanes{} + static_cast<float>(upper * (1 + 0x1p-20));
+    FloatLanes near = FloatLanes::all(0), far = FloatLanes::all(static_cast<float>(upper * (1 + 0x1p-20)));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& low = reinterpret_cast<const Loaded&>(node.low[axis]);
-      const auto& high = reinterpret_cast<const Loaded&>(node.high[axis]);
-      const Loaded& near_side = is_ascending_[axis] ? low : high;
-      const Loaded& far_side = is_ascending_[axis] ? high : low;
-      const Lanes near_here = (near_side - near_origin_[axis]) * inverse_[axis];
-      const Lanes far_here = (far_side - far_origin_[axis]) * (inverse_[axis] * (1 + 0x1p-20F));
-      near = near_here > near ? near_here : near;
-      far = far_here < far ? far_here : far;
+      const FloatLanes near_side = FloatLanes::load(is_ascending_[axis] ? node.low[axis] : node.high[axis]);
+      const FloatLanes far_side = FloatLanes::load(is_ascending_[axis] ? node.high[axis] : node.low[axis]);
+      const FloatLanes inverse = FloatLanes::all(inverse_[axis]);
+      const FloatLanes stretched = FloatLanes::all(inverse_[axis] * (1 + 0x1p-20F));
+      near = greater((near_side - FloatLanes::all(near_origin_[axis])) * inverse, near);
+      far = lesser((far_side - FloatLanes::all(far_origin_[axis])) * stretched, far);
     }
-    reinterpret_cast<Loaded&>(nearest) = near <= far ? near : Lanes{} + 2.0F;
+    choose(near <= far, near, FloatLanes::all(2)).store(nearest);
   }
 
  private:
-  using Lanes = float __attribute__((vector_size(32)));
-  using Loaded = float __attribute__((vector_size(32), aligned(4), may_alias));
-
   float near_origin_[3];
   float far_origin_[3];
   float inverse_[3];

@@ -3,28 +3,23 @@
 #include <cmath>
 #include <limits>
 
+#include <groundtruth/fast/lanes.hpp>
+
 namespace groundtruth::fast {
 
 namespace {
 
-// Compilers map these onto whatever vectors the target has; every lane is IEEE arithmetic without fusing, so
-// the bits are the same everywhere. They are handed on by reference: by value the ABI depends on the target.
-using Lanes = double __attribute__((vector_size(32)));
-using Loaded = double __attribute__((vector_size(32), may_alias));
-using Mask = std::int64_t __attribute__((vector_size(32)));
+const Lanes before_range = Lanes::all(-1), one = Lanes::all(1), after_range = Lanes::all(2);
 
-constexpr Lanes before{-1, -1, -1, -1}, one{1, 1, 1, 1}, after{2, 2, 2, 2};  // the range, or in it
-
-bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 double greatest(const Lanes& x) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); }
 double least(const Lanes& x) { return std::min(std::min(x[0], x[1]), std::min(x[2], x[3])); }
 
 // Where four half-spaces are crossed.
 struct Crossings {
-  Mask is_inside;  // certainly, at both ends
-  Mask is_outside;
-  Mask enters;  // certainly; so does the next
-  Mask leaves;
+  Lanes::Choice is_inside;  // certainly, at both ends
+  Lanes::Choice is_outside;
+  Lanes::Choice enters;  // certainly; so does the next
+  Lanes::Choice leaves;
   Lanes lower;
   Lanes upper;
 };
@@ -32,20 +27,20 @@ struct Crossings {
 class Crosser {
  public:
   Crosser(const Probe& probe, double error)
-      : first_x_(Lanes{} + probe.ends().first[0]),
-        first_y_(Lanes{} + probe.ends().first[1]),
-        first_z_(Lanes{} + probe.ends().first[2]),
-        last_x_(Lanes{} + probe.ends().last[0]),
-        last_y_(Lanes{} + probe.ends().last[1]),
-        last_z_(Lanes{} + probe.ends().last[2]),
-        error_(Lanes{} + error),
-        twice_error_(Lanes{} + 2 * error) {}
+      : first_x_(Lanes::all(probe.ends().first[0])),
+        first_y_(Lanes::all(probe.ends().first[1])),
+        first_z_(Lanes::all(probe.ends().first[2])),
+        last_x_(Lanes::all(probe.ends().last[0])),
+        last_y_(Lanes::all(probe.ends().last[1])),
+        last_z_(Lanes::all(probe.ends().last[2])),
+        error_(Lanes::all(error)),
+        twice_error_(Lanes::all(2 * error)) {}
 
   [[gnu::always_inline]] inline void cross(const HalfSpaces4& group, Crossings& crossings) const {
-    const auto& x = reinterpret_cast<const Loaded&>(group.normal_x);
-    const auto& y = reinterpret_cast<const Loaded&>(group.normal_y);
-    const auto& z = reinterpret_cast<const Loaded&>(group.normal_z);
-    const auto& offset = reinterpret_cast<const Loaded&>(group.offset);
+    const Lanes x = Lanes::load(group.normal_x);
+    const Lanes y = Lanes::load(group.normal_y);
+    const Lanes z = Lanes::load(group.normal_z);
+    const Lanes offset = Lanes::load(group.offset);
     const Lanes a = x * first_x_ + y * first_y_ + z * first_z_ - offset;
     const Lanes b = x * last_x_ + y * last_y_ + z * last_z_ - offset;
     const Lanes w = a - b;
@@ -53,12 +48,12 @@ class Crosser {
     crossings.is_outside = (a > error_) & (b > error_);
     crossings.enters = w > twice_error_;
     crossings.leaves = w < -twice_error_;
-    const Lanes crossing_w = (crossings.enters | crossings.leaves) ? w : one;
+    const Lanes crossing_w = choose(crossings.enters | crossings.leaves, w, one);
     const Lanes inverse = one / crossing_w;
     const Lanes middle = a * inverse;
     const Lanes margin = error_ * inverse;
-    crossings.lower = crossings.enters ? middle - margin : middle + margin;
-    crossings.upper = crossings.enters ? middle + margin : middle - margin;
+    crossings.lower = choose(crossings.enters, middle - margin, middle + margin);
+    crossings.upper = choose(crossings.enters, middle + margin, middle - margin);
   }
 
  private:
@@ -75,25 +70,23 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe) {
   const double error = error_bound(cell, probe);
   if (!(error < greatest_usable_error)) return {};
   const Crosser crosser(probe, error);
-  Lanes enter_lower = before, enter_upper = before, exit_lower = after, exit_upper = after;
-  Mask is_outside{}, is_undecided{};
+  Lanes enter_lower = before_range, enter_upper = before_range, exit_lower = after_range, exit_upper = after_range;
+  Lanes::Choice is_outside{}, is_undecided{};
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
     crosser.cross(cells.groups[i], at);
-    is_outside |= at.is_outside;
-    is_undecided |= ~(at.enters | at.leaves | at.is_inside);
-    const Lanes in_lower = at.enters ? at.lower : before, in_upper = at.enters ? at.upper : before;
-    const Lanes out_lower = at.leaves ? at.lower : after, out_upper = at.leaves ? at.upper : after;
-    enter_lower = in_lower > enter_lower ? in_lower : enter_lower;
-    enter_upper = in_upper > enter_upper ? in_upper : enter_upper;
-    exit_lower = out_lower < exit_lower ? out_lower : exit_lower;
-    exit_upper = out_upper < exit_upper ? out_upper : exit_upper;
+    is_outside = is_outside | at.is_outside;
+    is_undecided = is_undecided | ~(at.enters | at.leaves | at.is_inside);
+    enter_lower = greater(choose(at.enters, at.lower, before_range), enter_lower);
+    enter_upper = greater(choose(at.enters, at.upper, before_range), enter_upper);
+    exit_lower = lesser(choose(at.leaves, at.lower, after_range), exit_lower);
+    exit_upper = lesser(choose(at.leaves, at.upper, after_range), exit_upper);
   }
-  if (any(is_outside)) return no_meeting;
+  if (is_outside.any()) return no_meeting;
   const double lower = std::max(greatest(enter_lower), 0.0);
   if (lower > 1 || lower > least(exit_upper)) return no_meeting;
   const double upper = greatest(enter_upper);
-  const bool is_certain = !any(is_undecided) && upper <= 1 && upper <= least(exit_lower) && least(exit_lower) > 0;
+  const bool is_certain = !is_undecided.any() && upper <= 1 && upper <= least(exit_lower) && least(exit_lower) > 0;
   return {lower, is_certain ? upper : 2};
 }
 
@@ -104,8 +97,8 @@ Leaf sole_leaf(const PackedCells& cells, const Cell& cell, const Probe& probe, c
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
     crosser.cross(cells.groups[i], at);
-    const Mask touches = (at.enters & (at.upper >= meeting.lower)) |
-                         (at.leaves & (at.lower <= meeting.upper));
+    const Lanes::Choice touches = (at.enters & (at.upper >= Lanes::all(meeting.lower))) |
+                                  (at.leaves & (at.lower <= Lanes::all(meeting.upper)));
     for (int lane = 0; lane < 4; ++lane) {
       if (!touches[lane]) continue;
       if (found != no_leaf) return no_leaf;
@@ -126,7 +119,8 @@ void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& pr
   const double error = error_bound(cell, probe);
   const Crosser crosser(probe, error);
   for (std::uint32_t place = 4 * cell.first_group; place != 4 * cell.end_group; ++place) {
-    const std::uint32_t leaf = cells.leaves[place], lane = place % 4;
+    const std::uint32_t leaf = cells.leaves[place];
+    const int lane = static_cast<int>(place % 4);
     if (leaf == no_leaf) continue;
     Crossings at{};
     if (error < greatest_usable_error) crosser.cross(cells.groups[place / 4], at);
