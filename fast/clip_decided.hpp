@@ -1,5 +1,5 @@
 #pragma once
-// A clip's answer together with the stage that decided it, for tests and histograms. Not installed.
+// A clip's answer together with the stages that decided it, for tests and histograms. Not installed.
 
 #include <groundtruth/fast/stage.hpp>
 #include <groundtruth/problem/answer.hpp>
@@ -9,7 +9,8 @@ namespace groundtruth::fast {
 
 struct DecidedClip {
   ClipAnswer answer;
-  Stage stage = Stage::exact;
+  Stage decisions = Stage::none;
+  Stage force = Stage::none;  // none: it is the ask's, or there is none
 };
 
 // clip() is its answer.

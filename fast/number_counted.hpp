@@ -14,9 +14,12 @@ using Extended = long double;
 static_assert(std::numeric_limits<Extended>::digits >= 64, "fast needs a number longer than double");
 static_assert(std::numeric_limits<Extended>::max_exponent >= 16384, "fast needs a number wider than double");
 
-// Each operation of the type is off by at most this part of its result.
+// Each operation of the type is off by at most this part of its result, or of the sum of its terms'
+// magnitudes.
 template <class Real>
 inline constexpr double unit_of = 0;
+template <>
+inline constexpr double unit_of<double> = 0x1p-53;
 template <>
 inline constexpr double unit_of<Extended> = 0x1p-64;
 template <>
@@ -103,6 +106,7 @@ Counted<Real, m + n + 2> operator/(const Counted<Real, m>& a, const Counted<Real
   return {a.value / b.value, a.size == 0 ? 0 : (a.size * inverse) * std::max(b.size * inverse, 1.0)};
 }
 
+inline double root_of(double x) { return std::sqrt(x); }
 inline Extended root_of(Extended x) { return std::sqrt(x); }
 inline Pair root_of(const Pair& x) { return sqrt(x); }
 

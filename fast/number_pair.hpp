@@ -6,9 +6,10 @@
 namespace groundtruth::fast {
 
 // The unevaluated sum of two doubles, high = fl(high + low). Each operation below is off by at most 2^-102 of
-// its result (Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of
-// double-word arithmetic, 2017: at most 2^-104.4 for sums, 2^-103.6 for products, 2^-102.09 for quotients,
-// 2^-104.3 for roots), and by 2^-1060 where something underflows. Not finite where something overflows.
+// its result, a sum of the sum of its terms' magnitudes (lemma pair-operations, proofs-notes/
+// rounding-of-forces.md; Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks
+// of double-word arithmetic, 2017), and by 2^-1060 where something underflows. Not finite where something
+// overflows.
 struct Pair {
   double high = 0;
   double low = 0;
@@ -45,9 +46,8 @@ inline Pair two_product(double a, double b) {
 }
 
 inline Pair operator+(const Pair& a, const Pair& b) {
-  const Pair s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
-  const Pair v = fast_two_sum(s.high, s.low + t.high);
-  return fast_two_sum(v.high, t.low + v.low);
+  const Pair s = two_sum(a.high, b.high);
+  return fast_two_sum(s.high, s.low + (a.low + b.low));
 }
 inline Pair operator-(const Pair& a) { return {-a.high, -a.low}; }
 inline Pair operator-(const Pair& a, const Pair& b) { return a + -b; }

@@ -1,5 +1,5 @@
 #pragma once
-// A step's answer together with the stage that decided it, for tests and histograms. Not installed.
+// A step's answer together with the stages that decided it, for tests and histograms. Not installed.
 
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/fast/stage.hpp>
@@ -10,7 +10,8 @@ namespace groundtruth::fast {
 
 struct DecidedStep {
   StepAnswer answer;
-  Stage stage = Stage::exact;
+  Stage decisions = Stage::none;
+  Stage numbers = Stage::none;
 };
 
 // step() is its answer.

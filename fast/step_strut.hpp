@@ -27,16 +27,13 @@ inline std::optional<LevelCoordinate> level_coordinate(const HalfSpace& plane) {
   return std::nullopt;
 }
 
+// A pebble on a plane.
 template <class Real, int n>
-struct CountedLanding {
-  Surface surface;
+struct Landing {
   CountedVector<Real, n> pebble_in_world;
-  CountedVector<Real, n> from_frame_in_world;  // the pebble's place less the frame's
+  CountedVector<Real, n> from_frame_in_world;  // its place less the frame's
   std::optional<LevelCoordinate> level;
 };
-
-template <class Real, int n>
-using CountedTouch = std::variant<NoContact, CountedLanding<Real, n>, StepFailure, Refusal>;
 
 // The first face along a strut that certainly starts outside of the solid and ends in it; or that there is
 // none, or that the strut starts inside. Nothing: uncertain.
@@ -44,7 +41,7 @@ struct FaceFound {
   Leaf leaf;
   std::optional<MaterialIndex> material;
 };
-using FaceAlong = std::variant<NoContact, FaceFound, StepFailure>;
+using FaceAlong = std::variant<NoContact, StepFailure, FaceFound>;
 std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends);
 
 // The strut at (x, y) in wheel coordinates.
@@ -59,21 +56,31 @@ class CountedStrut {
         x_(x),
         y_(y) {}
 
-  // Nothing: something is uncertain.
-  std::optional<CountedTouch<Real, n + 30>> touch(const Scene& scene) const {
-    const auto found = face_along(scene, ends());
-    if (!found) return std::nullopt;
-    if (std::holds_alternative<NoContact>(*found)) return NoContact{};
-    if (const auto* failure = std::get_if<StepFailure>(&*found)) return *failure;
-    const auto& face = std::get<FaceFound>(*found);
-    const HalfSpace& plane = scene.solid().leaves[face.leaf];
+  // In doubles.
+  RangeEnds ends() const {
+    RangeEnds ends;
+    place_end(ask_.wheel.z_min, ends.first, ends);
+    place_end(ask_.wheel.z_max, ends.last, ends);
+    return ends;
+  }
+
+  // Where the strut's line meets a plane: the height z over (x, y) follows from m . (x, y, z) = |q|^2 (d - n
+  // . b), m being the normal in wheel coordinates times |q|^2.
+  Landing<Real, n + 30> landing_on(const HalfSpace& plane) const {
+    const auto frame_in_world = counted<Real>(ask_.frame.position_in_world);
     const auto normal_in_wheel = world_from_wheel_.to_wheel(counted<Real>(plane.normal));
-    const auto upright = is_upright(normal_in_wheel, ask_.wheel.min_uprightness);
-    if (!upright) return std::nullopt;
-    if (!*upright) return StepFailure::surface_too_steep;
-    const auto surface = surface_of(scene, face.leaf, plane.normal, face.material, ask_.wheel.tyre);
-    if (const auto* refusal = std::get_if<Refusal>(&surface)) return *refusal;
-    return landing_on(plane, normal_in_wheel, std::get<Surface>(surface));
+    const auto depth = counted<Real>(plane.offset) - dot(counted<Real>(plane.normal), frame_in_world);
+    const auto z =
+        (depth * world_from_wheel_.norm_squared() - (normal_in_wheel[0] * x_ + normal_in_wheel[1] * y_)) /
+        normal_in_wheel[2];
+    const auto offset = from_frame(CountedVector<Real, decltype(z)::roundings>{x_, y_, z});
+    Landing<Real, n + 30> landing{{}, {}, level_coordinate(plane)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      landing.pebble_in_world[axis] = frame_in_world[axis] + offset[axis];
+      landing.from_frame_in_world[axis] = offset[axis];
+    }
+    if (landing.level) landing.pebble_in_world[landing.level->axis] = counted<Real>(landing.level->value);
+    return landing;
   }
 
  private:
@@ -83,12 +90,6 @@ class CountedStrut {
     return {longer[0] * inverse_, longer[1] * inverse_, longer[2] * inverse_};
   }
 
-  RangeEnds ends() const {
-    RangeEnds ends;
-    place_end(ask_.wheel.z_min, ends.first, ends);
-    place_end(ask_.wheel.z_max, ends.last, ends);
-    return ends;
-  }
   void place_end(double z, Vector& end, RangeEnds& ends) const {
     const auto offset = from_frame(CountedVector<Real, n>{x_, y_, counted<Real>(z)});
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,27 +98,6 @@ class CountedStrut {
       const double error = component.error() + 0x1p-52 * std::abs(end[axis]);
       if (!(error <= ends.coordinate_error)) ends.coordinate_error = error;  // or if it is not a number
     }
-  }
-
-  // The height at which a point over (x, y) lies in the plane: in wheel coordinates m with m . p = |q|^2 (d -
-  // n . b).
-  template <int m>
-  CountedLanding<Real, n + 30> landing_on(const HalfSpace& plane,
-                                          const CountedVector<Real, m>& normal_in_wheel,
-                                          const Surface& surface) const {
-    const auto frame_in_world = counted<Real>(ask_.frame.position_in_world);
-    const auto depth = counted<Real>(plane.offset) - dot(counted<Real>(plane.normal), frame_in_world);
-    const auto z =
-        (depth * world_from_wheel_.norm_squared() - (normal_in_wheel[0] * x_ + normal_in_wheel[1] * y_)) /
-        normal_in_wheel[2];
-    const auto offset = from_frame(CountedVector<Real, decltype(z)::roundings>{x_, y_, z});
-    CountedLanding<Real, n + 30> landing{surface, {}, {}, level_coordinate(plane)};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      landing.pebble_in_world[axis] = frame_in_world[axis] + offset[axis];
-      landing.from_frame_in_world[axis] = offset[axis];
-    }
-    if (landing.level) landing.pebble_in_world[landing.level->axis] = counted<Real>(landing.level->value);
-    return landing;
   }
 
   const StepAsk& ask_;

@@ -4,7 +4,6 @@
 // Whatever takes a decision returns nothing where that is uncertain.
 
 #include <array>
-#include <type_traits>
 
 #include <groundtruth/fast/number_counted.hpp>
 #include <groundtruth/problem/ask.hpp>
@@ -61,19 +60,18 @@ struct Grasp {
   Counted<Real, b> brake;
 };
 
+// What a clip does: SPEC section 4, stick and cases 1 to 3 of slip.
+enum class Clipping { none, onto_band_edge, onto_corner, onto_circle };
+
 // The force in the surface's axes, each as long as it is here:
 //   along  = F'_x r,      axis (-n_z, 0, n_x), of length r
 //   across = F'_y r |n|,  axis (-n_x n_y, r^2, -n_y n_z), of length r |n|
 //   down   = F'_z |n|,    axis -n
 template <class Real, int n, int f, int b>
 class ForceOnSurface {
-  template <class Clipped>
-  using Answer = std::invoke_result_t<const Clipped&, Grip, const CountedVector<Real, f>&>;
-
  public:
   ForceOnSurface(const Grasp<Real, n, b>& grasp, const CountedVector<Real, f>& force)
       : grasp_(grasp),
-        force_(force),
         r_squared_(square(x()) + square(z())),
         n_squared_(r_squared_ + square(y())),
         along_(x() * force[2] - z() * force[0]),
@@ -81,48 +79,49 @@ class ForceOnSurface {
         down_(-dot(grasp.normal_in_wheel, force)),
         limit_(grasp.friction * down_) {}
 
-  // clipped(grip, force in wheel coordinates) is called where the decisions are certain, and its answer
-  // returned; it must be an optional.
-  template <class Clipped>
-  Answer<Clipped> clip(const Clipped& clipped) const {
+  std::optional<Clipping> decide() const {
     const auto within_band = is_at_most(square(along_), square(grasp_.brake) * r_squared_);
     if (!within_band) return std::nullopt;
-    if (*within_band) {
-      const auto within_disc =
-          is_at_most(square(along_) * n_squared_ + square(across_), square(limit_) * r_squared_);
-      if (!within_disc) return std::nullopt;
-      if (*within_disc) return clipped(Grip::stick, force_);
-    }
-    return slip(clipped);
+    if (!*within_band) return decide_slip();
+    const auto within_disc =
+        is_at_most(square(along_) * n_squared_ + square(across_), square(limit_) * r_squared_);
+    if (!within_disc) return std::nullopt;
+    return *within_disc ? Clipping::none : decide_slip();
+  }
+
+  // with(force in wheel coordinates), for a clipping that is not `none`. Unlike roundings make unlike types.
+  template <class With>
+  auto clipped(Clipping clipping, const With& with) const {
+    if (clipping == Clipping::onto_band_edge) return with(onto_band_edge());
+    if (clipping == Clipping::onto_corner) return with(onto_corner());
+    return with(onto_circle());
   }
 
  private:
-  // The slips H of SPEC section 4, cases 1 to 3, with s^2 |n|^2 = corner.
-  template <class Clipped>
-  Answer<Clipped> slip(const Clipped& clipped) const {
-    const auto corner = square(limit_) - square(grasp_.brake) * n_squared_;
+  std::optional<Clipping> decide_slip() const {
+    const auto corner = corner_squared();
     const Sign corner_sign = sign_of(corner);
     if (corner_sign == Sign::uncertain) return std::nullopt;
-    if (corner_sign != Sign::positive) return clipped(Grip::slip, onto_circle());
+    if (corner_sign != Sign::positive) return Clipping::onto_circle;
     const auto between_corners = is_at_most(square(across_), r_squared_ * corner);
     if (!between_corners) return std::nullopt;
-    if (*between_corners) return clipped(Grip::slip, onto_band_edge());
+    if (*between_corners) return Clipping::onto_band_edge;
     const auto beside_corner = is_at_most(square(grasp_.brake * across_), square(along_) * corner);
     if (!beside_corner) return std::nullopt;
-    if (!*beside_corner) return clipped(Grip::slip, onto_circle());
-    return clipped(Grip::slip, onto_corner(corner));
+    return *beside_corner ? Clipping::onto_corner : Clipping::onto_circle;
   }
 
+  // The slips H of SPEC section 4, cases 1 to 3.
   auto onto_band_edge() const {
     const auto inverse = one() / (r_squared_ * n_squared_);
     return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
                     across_ * inverse, down_ * r_squared_ * inverse);
   }
-  template <class Corner>
-  auto onto_corner(const Corner& corner) const {
+  auto onto_corner() const {
     const auto inverse = one() / (r_squared_ * n_squared_);
     return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
-                    with_sign_of(across_, root(corner * r_squared_)) * inverse, down_ * r_squared_ * inverse);
+                    with_sign_of(across_, root(corner_squared() * r_squared_)) * inverse,
+                    down_ * r_squared_ * inverse);
   }
   auto onto_circle() const {
     const auto length = root((square(along_) * n_squared_ + square(across_)) * r_squared_);
@@ -130,6 +129,9 @@ class ForceOnSurface {
     const auto scale = magnitude(limit_) * inverse;
     return in_wheel(scale * along_ * n_squared_, scale * across_, down_ * length * inverse);
   }
+
+  // s^2 |n|^2
+  auto corner_squared() const { return square(limit_) - square(grasp_.brake) * n_squared_; }
 
   // No slip's sign of a component matters where it is uncertain: then the component is 0 (lemma slip-signs).
   template <int m, int k>
@@ -163,7 +165,6 @@ class ForceOnSurface {
   const Normal& z() const { return grasp_.normal_in_wheel[2]; }
 
   const Grasp<Real, n, b>& grasp_;
-  const CountedVector<Real, f>& force_;
   const RSquared r_squared_;
   const NSquared n_squared_;
   const Along along_;
