@@ -90,10 +90,10 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe) {
   return {lower, is_certain ? upper : 2};
 }
 
-Leaf sole_leaf(const PackedCells& cells, const Cell& cell, const Probe& probe, const Meeting& meeting) {
-  if (!(meeting.lower > 0)) return no_leaf;
+Face sole_face(const PackedCells& cells, const Cell& cell, const Probe& probe, const Meeting& meeting) {
+  if (!(meeting.lower > 0)) return {};
   const Crosser crosser(probe, error_bound(cell, probe));
-  Leaf found = no_leaf;
+  std::uint32_t found = 0, faces = 0;
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
     crosser.cross(cells.groups[i], at);
@@ -101,11 +101,15 @@ Leaf sole_leaf(const PackedCells& cells, const Cell& cell, const Probe& probe, c
                                   (at.leaves & (at.lower <= Lanes::all(meeting.upper)));
     for (int lane = 0; lane < 4; ++lane) {
       if (!touches[lane]) continue;
-      if (found != no_leaf) return no_leaf;
-      found = cells.leaves[4 * i + static_cast<std::uint32_t>(lane)];
+      found = 4 * i + static_cast<std::uint32_t>(lane);
+      ++faces;
     }
   }
-  return found;
+  if (faces != 1) return {};
+  const HalfSpaces4& group = cells.groups[found / 4];
+  const std::uint32_t lane = found % 4;
+  return {cells.leaves[found],
+          {{group.normal_x[lane], group.normal_y[lane], group.normal_z[lane]}, group.offset[lane]}};
 }
 
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error) {

@@ -71,9 +71,15 @@ OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_la
 
 Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe);
 
+// A leaf, and what is written on it.
+struct Face {
+  Leaf leaf = no_leaf;
+  HalfSpace half_space;
+};
+
 // The one half-space of the cell through which the range can enter it at `meeting.lower` to
 // `meeting.upper`; no_leaf if there may be several or none. Requires a meeting that certainly hits.
-Leaf sole_leaf(const PackedCells& cells, const Cell& cell, const Probe& probe, const Meeting& meeting);
+Face sole_face(const PackedCells& cells, const Cell& cell, const Probe& probe, const Meeting& meeting);
 
 // Appends the half-spaces of the cell inside of which the range does not certainly stay.
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves);

@@ -17,7 +17,7 @@ struct Stages {
 DecidedEntry on_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place,
                      double lambda, Stages stages) {
   const FaceMaterial found = material_at(scene, probe, ask, place);
-  return {Border{lambda, place.leaf, scene.solid().leaves[place.leaf].normal, found.material}, stages.place,
+  return {Border{lambda, place.face.leaf, place.face.half_space.normal, found.material}, stages.place,
           stages.lambda, found.stage};
 }
 
@@ -27,7 +27,7 @@ DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask
   if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
   const Stage lambda_stage = entry->crossed ? Stage::exact : Stage::none;
   if (entry->leaf == no_leaf) return {Inside{entry->lambda}, Stage::exact, lambda_stage, Stage::none};
-  const HitPlace place{lower, result.upper, entry->leaf, entry->crossed};
+  const HitPlace place{lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf]}, entry->crossed};
   return on_face(scene, probe, ask, place, entry->lambda, {Stage::exact, lambda_stage});
 }
 
@@ -39,13 +39,12 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
   search(scene, probe, result);
   if (result.starts_inside) return {Inside{ask.lambda_first + 0.0}, Stage::doubles, Stage::none, Stage::none};
   if (result.contenders.empty()) return {Miss{}, Stage::doubles, Stage::none, Stage::none};
-  const Leaf leaf = sole_leaf(scene, probe, result);
-  if (leaf == no_leaf) return exactly(scene, probe, ask, result);
-  const HalfSpace& face = scene.solid().leaves[leaf];
-  const auto lambda = rounded_crossing(face, ask);
-  const HitPlace place{result.lower(), result.upper, leaf, face};
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf) return exactly(scene, probe, ask, result);
+  const auto lambda = rounded_crossing(face.half_space, ask);
+  const HitPlace place{result.lower(), result.upper, face, face.half_space};
   return lambda ? on_face(scene, probe, ask, place, *lambda, {Stage::doubles, Stage::double_pair})
-                : on_face(scene, probe, ask, place, exact_stage::crossing(face, ask),
+                : on_face(scene, probe, ask, place, exact_stage::crossing(face.half_space, ask),
                           {Stage::doubles, Stage::exact});
 }
 

@@ -84,12 +84,11 @@ class RegionView {
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
   // Rules are linked from the innermost outwards, and the outermost that holds decides.
   FaceMaterial found;
-  const HalfSpace& face = scene.solid().leaves[place.leaf];
-  for (auto at = scene.rule_of_leaf()[place.leaf]; at; at = scene.rules()[*at].outer_rule) {
+  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     if (rule.region) {
       const Expression& region = scene.regions()[*rule.region];
-      Membership member = RegionView(region, probe, place, face).of_whole();
+      Membership member = RegionView(region, probe, place, place.face.half_space).of_whole();
       if (member == Membership::open) {
         found.stage = Stage::exact;
         const exact_stage::ExpressionView view{region.nodes, region.leaves, {}};
@@ -105,11 +104,10 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
 std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
                                                                 const HitPlace& place) {
   std::optional<MaterialIndex> material;
-  const HalfSpace& face = scene.solid().leaves[place.leaf];
-  for (auto at = scene.rule_of_leaf()[place.leaf]; at; at = scene.rules()[*at].outer_rule) {
+  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     const Membership member = rule.region
-                                  ? RegionView(scene.regions()[*rule.region], probe, place, face).of_whole()
+                                  ? RegionView(scene.regions()[*rule.region], probe, place, place.face.half_space).of_whole()
                                   : Membership::yes;
     if (member == Membership::open) return std::nullopt;
     if (member == Membership::yes) material = rule.material;

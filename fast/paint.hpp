@@ -10,11 +10,11 @@
 
 namespace groundtruth::fast {
 
-// Where a range meets the solid: at lower <= s <= upper, on the border of `face`.
+// Where a range meets the solid: at lower <= s <= upper, on the border of a face.
 struct HitPlace {
   double lower = 0;
   double upper = 1;
-  Leaf leaf = 0;                     // the canonical one
+  Face face;                         // the canonical one
   std::optional<HalfSpace> crossed;  // one that the range crosses there; absent: the range's start
 };
 

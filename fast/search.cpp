@@ -163,15 +163,16 @@ void search(const Scene& scene, const Probe& probe, SearchResult& result) {
   result.drop_late_ones();
 }
 
-Leaf sole_leaf(const Scene& scene, const Probe& probe, const SearchResult& result) {
-  if (result.contenders.size() != 1) return no_leaf;
+Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result) {
+  if (result.contenders.size() != 1) return {};
   const auto& [part, meeting] = result.contenders.front();
-  if (!meeting.certainly_hits()) return no_leaf;
+  if (!meeting.certainly_hits()) return {};
   const Parts& parts = scene.parts();
-  if (parts.is_cell(part)) return sole_leaf(parts.cells, parts.cells.cells[part], probe, meeting);
+  if (parts.is_cell(part)) return sole_face(parts.cells, parts.cells.cells[part], probe, meeting);
   SievedExpression sieved;
   sieve(scene.solid(), scene.solid().nodes.data() + parts.node_of(part), probe, sieved);
-  return sole_leaf(sieved, meeting);
+  const Leaf leaf = sole_leaf(sieved, meeting);
+  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf]};
 }
 
 }  // namespace groundtruth::fast

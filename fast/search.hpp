@@ -28,7 +28,7 @@ struct SearchResult {
 
 // Only one contender, which certainly hits through one leaf alone: that leaf, and only that, is admissible.
 // Else no_leaf.
-Leaf sole_leaf(const Scene& scene, const Probe& probe, const SearchResult& result);
+Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result);
 
 void search(const Scene& scene, const Probe& probe, SearchResult& result);
 

@@ -10,12 +10,12 @@ std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
   search(scene, probe, result);
   if (result.starts_inside) return StepFailure::wheel_broken;
   if (result.contenders.empty()) return NoContact{};
-  const Leaf leaf = sole_leaf(scene, probe, result);
-  if (leaf == no_leaf || !(result.lower() > 0 && result.upper < 1)) return std::nullopt;
-  const HitPlace place{result.lower(), result.upper, leaf, std::nullopt};
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf || !(result.lower() > 0 && result.upper < 1)) return std::nullopt;
+  const HitPlace place{result.lower(), result.upper, face, std::nullopt};
   const auto material = material_by_doubles(scene, probe, place);
   if (!material) return std::nullopt;
-  return FaceFound{leaf, *material};
+  return FaceFound{face.leaf, *material};
 }
 
 exact_stage::ExpressionView SolidAlongStrut::along(const RangeEnds& ends) {
