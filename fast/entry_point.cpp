@@ -1,5 +1,8 @@
 #include <groundtruth/fast/entry_point.hpp>
 
+#include <algorithm>
+
+#include <boost/container/static_vector.hpp>
 #include <groundtruth/fast/crossing.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
@@ -51,7 +54,20 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }
 
 void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
-  for (std::size_t i = 0; i != asks.size(); ++i) answers[i] = entry_point(scene, asks[i]);
+  constexpr std::size_t most_in_flight = 16;
+  boost::container::static_vector<Prefetcher, most_in_flight> in_flight;
+  for (std::size_t first = 0; first < asks.size(); first += most_in_flight) {
+    const std::size_t end = std::min(asks.size(), first + most_in_flight);
+    in_flight.clear();
+    for (std::size_t i = first; i != end; ++i) {
+      in_flight.emplace_back(scene, ends_of(asks[i]));
+      in_flight.back().fetch_starts();
+    }
+    for (Prefetcher& ask : in_flight) ask.fetch_entries();
+    for (Prefetcher& ask : in_flight) ask.fetch_cells();
+    for (Prefetcher& ask : in_flight) ask.fetch_half_spaces();
+    for (std::size_t i = first; i != end; ++i) answers[i] = entry_point(scene, asks[i]);
+  }
 }
 
 }  // namespace groundtruth::fast

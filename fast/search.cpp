@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <groundtruth/fast/box_probe.hpp>
+#include <groundtruth/fast/grid_probe.hpp>
 
 namespace groundtruth::fast {
 
@@ -76,15 +77,15 @@ class Search {
   // Only a range over few squares is looked up in them: false if it is longer, or there are none.
   bool visit_squares() {
     const Grid& grid = scene_.parts().grid;
-    if (grid.rows == 0) return false;
-    const Squares squares = squares_of(grid);
-    if (squares.count() > most_squares) return false;
+    const GridProbe near(probe_.ends());
+    const Squares squares = near.squares(grid);
+    if (!is_served(grid, squares)) return false;
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::size_t square = std::size_t{row} * grid.columns + column;
         for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i) {
           const GridEntry& entry = grid.entries[i];
-          if (!is_near(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
+          if (!near.reaches(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
           visit(entry.part);
           if (is_over()) return true;
         }
@@ -97,35 +98,6 @@ class Search {
     float nearest;
     std::uint32_t child;
   };
-
-  struct Squares {
-    std::uint32_t first_column, last_column, first_row, last_row;
-    std::size_t count() const {
-      return std::size_t{last_column - first_column + 1} * (last_row - first_row + 1);
-    }
-  };
-
-  static constexpr std::size_t most_squares = 6;
-
-  double lowest(std::size_t axis) const {
-    const RangeEnds& ends = probe_.ends();
-    return std::min(ends.first[axis], ends.last[axis]) - 2 * ends.coordinate_error;
-  }
-  double highest(std::size_t axis) const {
-    const RangeEnds& ends = probe_.ends();
-    return std::max(ends.first[axis], ends.last[axis]) + 2 * ends.coordinate_error;
-  }
-
-  Squares squares_of(const Grid& grid) const {
-    return {grid.column_of(lowest(grid.across)), grid.column_of(highest(grid.across)),
-            grid.row_of(lowest(grid.along)), grid.row_of(highest(grid.along))};
-  }
-
-  bool is_near(const GridEntry& entry) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (double{entry.low[axis]} > highest(axis) || double{entry.high[axis]} < lowest(axis)) return false;
-    return true;
-  }
 
   bool is_contender(Part part) const {
     return std::any_of(result_.contenders.begin(), result_.contenders.end(),
