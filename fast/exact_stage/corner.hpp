@@ -27,17 +27,79 @@ enum class Value : std::uint8_t { nothing, everything, open };
 // What a leaf is near the point; open: the point lies in its plane.
 using LeafValues = boost::container::small_vector<Value, 32>;
 
-template <class Numbers>
+using StandingLeaves = boost::container::small_vector<std::size_t, 16>;
+
+inline std::size_t count_operands(const Node* node) {
+  std::size_t count = 0;
+  for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size) ++count;
+  return count;
+}
+
+// The leaves of a solid that stand at a point once it is simplified there.
+class Standing {
+ public:
+  Standing(const ExpressionView& solid, const LeafValues& values) : solid_(solid), values_(values) {
+    value_ = simplify(solid.nodes.data());
+  }
+
+  const ExpressionView& solid() const { return solid_; }
+  const LeafValues& values() const { return values_; }
+  Value value() const { return value_; }
+  const StandingLeaves& leaves() const { return leaves_; }
+
+ private:
+  template <class AddNext>
+  Value simplify_operands(NodeKind kind, std::size_t count, AddNext add_next) {
+    const bool is_union = kind == NodeKind::union_of;
+    const Value absorbing = is_union ? Value::everything : Value::nothing;
+    const std::size_t before = leaves_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (add_next() != absorbing) continue;
+      leaves_.resize(before);
+      return absorbing;
+    }
+    if (leaves_.size() > before) return Value::open;
+    return is_union ? Value::nothing : Value::everything;
+  }
+
+  // Collects the leaves that stand.
+  Value simplify(const Node* node) {
+    if (node->kind == NodeKind::nothing) return Value::nothing;
+    if (node->kind == NodeKind::everything) return Value::everything;
+    if (node->kind == NodeKind::cell) {
+      std::size_t leaf = node->first_leaf;
+      return simplify_operands(NodeKind::intersection_of, node->end_leaf - leaf, [&] {
+        if (values_[leaf] == Value::open) leaves_.push_back(leaf);
+        return values_[leaf++];
+      });
+    }
+    const Node* operand = node + 1;
+    return simplify_operands(node->kind, count_operands(node), [&] {
+      const Value value = simplify(operand);
+      operand += operand->size;
+      return value;
+    });
+  }
+
+  const ExpressionView& solid_;
+  const LeafValues& values_;
+  Value value_ = Value::open;
+  StandingLeaves leaves_;
+};
+
+// Number: one that holds products of six components of normals.
+template <class Number>
 class Corner {
  public:
-  using Number = typename Numbers::Slope;
-
   // `normal_of(place)`: a positive multiple of the leaf's normal.
   template <class NormalOf>
-  Corner(const Numbers& numbers, const ExpressionView& solid, const LeafValues& values, NormalOf normal_of)
-      : numbers_(numbers), solid_(solid), values_(values) {
-    value_ = simplify(solid.nodes.data());
+  Corner(const Standing& standing, NormalOf normal_of)
+      : solid_(standing.solid()),
+        values_(standing.values()),
+        value_(standing.value()),
+        standing_(standing.leaves()) {
     for (const std::size_t leaf : standing_) normals_.push_back(normal_of(leaf));
+    lines_.resize(normals_.size() * normals_.size());
   }
 
   // Outward of some leaf of the corner there is, by a sector in its plane, whatever region is missing.
@@ -87,48 +149,23 @@ class Corner {
 
   std::size_t number(std::size_t leaf) const { return solid_.numbers.empty() ? leaf : solid_.numbers[leaf]; }
 
-  template <class AddNext>
-  Value simplify_operands(NodeKind kind, std::size_t count, AddNext add_next) {
-    const bool is_union = kind == NodeKind::union_of;
-    const Value absorbing = is_union ? Value::everything : Value::nothing;
-    const std::size_t before = standing_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (add_next() != absorbing) continue;
-      standing_.resize(before);
-      return absorbing;
+  // In which one's plane cuts the other's: the product of their normals, computed when first asked for.
+  struct Line {
+    Normal<Number> direction;
+    enum class Kind : std::uint8_t { unknown, none, line } kind = Kind::unknown;
+  };
+  const Line& line(std::size_t face, std::size_t other) const {
+    Line& line = lines_[face * normals_.size() + other];
+    if (line.kind == Line::Kind::unknown) {
+      line.direction = cross(normals_[face], normals_[other]);
+      const auto is_zero = [](const Number& x) { return sign(x) == 0; };
+      const bool is_none = std::all_of(line.direction.begin(), line.direction.end(), is_zero);
+      line.kind = is_none ? Line::Kind::none : Line::Kind::line;
     }
-    if (standing_.size() > before) return Value::open;
-    return is_union ? Value::nothing : Value::everything;
+    return line;
   }
-
-  // Collects the leaves that stand.
-  Value simplify(const Node* node) {
-    if (node->kind == NodeKind::nothing) return Value::nothing;
-    if (node->kind == NodeKind::everything) return Value::everything;
-    if (node->kind == NodeKind::cell) {
-      std::size_t leaf = node->first_leaf;
-      return simplify_operands(NodeKind::intersection_of, node->end_leaf - leaf, [&] {
-        if (values_[leaf] == Value::open) standing_.push_back(leaf);
-        return values_[leaf++];
-      });
-    }
-    const Node* operand = node + 1;
-    return simplify_operands(node->kind, count_operands(node), [&] {
-      const Value value = simplify(operand);
-      operand += operand->size;
-      return value;
-    });
-  }
-
-  static std::size_t count_operands(const Node* node) {
-    std::size_t count = 0;
-    for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size) ++count;
-    return count;
-  }
-
   bool have_one_plane(std::size_t face, std::size_t other) const {
-    const Normal<Number> line = cross(normals_[face], normals_[other]);
-    return std::all_of(line.begin(), line.end(), [&](const Number& x) { return numbers_.sign(x) == 0; });
+    return line(face, other).kind == Line::Kind::none;
   }
 
   template <class Predicate>
@@ -154,13 +191,13 @@ class Corner {
   }
 
   View leaf_view(const Sector& sector, std::size_t leaf) const {
-    const Normal<Number>&face = normals_[sector.face], &normal = normals_[leaf];
+    const Normal<Number>& normal = normals_[leaf];
     if (!sector.other || have_one_plane(sector.face, leaf))
-      return {true, numbers_.sign(dot(face, normal)) < 0, Value::open, leaf == sector.face};
+      return {true, sign(dot(normals_[sector.face], normal)) < 0, Value::open, leaf == sector.face};
     // n . v for v along the line; where that vanishes, for v turned away from it.
-    const Normal<Number>& other = normals_[*sector.other];
-    int along = numbers_.sign(dot(face, cross(other, normal)));
-    if (along == 0) along = -numbers_.sign(dot(cross(face, normal), cross(face, other)));
+    const Normal<Number>& direction = line(sector.face, *sector.other).direction;
+    int along = sign(dot(direction, normal));
+    if (along == 0) along = -sign(dot(line(sector.face, leaf).direction, direction));
     return view_of(sector.turn * along < 0 ? Value::everything : Value::nothing);
   }
 
@@ -205,12 +242,19 @@ class Corner {
     return all;
   }
 
-  const Numbers& numbers_;
   const ExpressionView& solid_;
   const LeafValues& values_;
-  Value value_ = Value::open;
-  boost::container::small_vector<std::size_t, 16> standing_;
+  const Value value_;
+  const StandingLeaves& standing_;
   boost::container::small_vector<Normal<Number>, 4> normals_;  // of those that stand
+  mutable boost::container::small_vector<Line, 16> lines_;     // by pairs
 };
+
+// Do the normals of all leaves that stand fit into so few bits that machine integers will do?
+bool have_short_normals(const Standing& standing);
+
+// A positive multiple of the leaf's normal. The second requires a short one.
+Normal<Dyadic> dyadic_normal(const HalfSpace& leaf);
+Normal<MachineInteger> machine_normal(const HalfSpace& leaf);
 
 }  // namespace groundtruth::fast::exact_stage

@@ -45,8 +45,7 @@ std::optional<FirstPoint> first_point_in_dyadics(const ExpressionView& solid, co
   const DyadicSegment segment(ask);
   Lines<DyadicNumbers> lines;
   for (const HalfSpace& leaf : solid.leaves) lines.push_back(segment.line(leaf));
-  const auto normal_of = [&](std::size_t leaf) { return dyadic_normal(solid.leaves[leaf]); };
-  const auto found = find_first_point(DyadicNumbers{}, solid, lines, segment.length(), normal_of);
+  const auto found = find_first_point(DyadicNumbers{}, solid, lines, segment.length());
   if (!found) return std::nullopt;
   const double lambda = found->crossed ? segment.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
   return FirstPoint{lambda, found->leaf, found->crossed};
@@ -56,8 +55,7 @@ std::optional<FirstPoint> first_point_in_machine_integers(const Lattice& lattice
                                                           const EntryAsk& ask) {
   Lines<MachineNumbers> lines;
   for (const HalfSpace& leaf : solid.leaves) lines.push_back(lattice.line(leaf));
-  const auto normal_of = [&](std::size_t leaf) { return lattice.normal(solid.leaves[leaf]); };
-  const auto found = find_first_point(MachineNumbers{}, solid, lines, lattice.length(), normal_of);
+  const auto found = find_first_point(MachineNumbers{}, solid, lines, lattice.length());
   if (!found) return std::nullopt;
   const double lambda = found->crossed ? lattice.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
   return FirstPoint{lambda, found->leaf, found->crossed};

@@ -12,15 +12,19 @@ struct Found {
   bool is_at_end = false;              // lambda* is the range's last
 };
 
-inline Normal<Dyadic> dyadic_normal(const HalfSpace& leaf) {
-  return {leaf.normal[0], leaf.normal[1], leaf.normal[2]};
+// Of a solid at a point of its border: `starts` there, or is entered there by the leaves `enters(leaf)`.
+// Nothing: the point lies in the interior.
+template <class Number, class NormalOf, class Enters>
+std::optional<std::size_t> face_at(const Standing& standing, bool starts, NormalOf normal_of, Enters enters) {
+  const Corner<Number> corner(standing, normal_of);
+  if (starts && corner.is_interior()) return std::nullopt;
+  return corner.canonical_leaf([&](std::size_t leaf) { return starts || enters(leaf); });
 }
 
 // The first point for t in [0, length] in the solid whose leaves go along `lines`.
-template <class Numbers, class NormalOf>
+template <class Numbers>
 std::optional<Found> find_first_point(const Numbers& numbers, const ExpressionView& solid,
-                                      const Lines<Numbers>& lines, const typename Numbers::Slope& length,
-                                      NormalOf normal_of) {
+                                      const Lines<Numbers>& lines, const typename Numbers::Slope& length) {
   using Slope = typename Numbers::Slope;
   const Line<Numbers> start{{}, Slope(1), 1}, end{Numbers::value(-length), Slope(1), 1};
   const auto place = Search<Numbers>(numbers, solid, lines).first_place(&start, &end);
@@ -36,9 +40,14 @@ std::optional<Found> find_first_point(const Numbers& numbers, const ExpressionVi
     values[leaf] = sign > 0 ? Value::nothing : sign < 0 ? Value::everything : Value::open;
     if (sign == 0 && solid.leaves[leaf].normal == Vector{}) values[leaf] = Value::everything;
   }
-  const Corner<Numbers> corner(numbers, solid, values, normal_of);
-  if (is_at_start && corner.is_interior()) return found;
-  found.leaf = corner.canonical_leaf([&](std::size_t leaf) { return is_at_start || lines[leaf].enters(); });
+  const Standing standing(solid, values);
+  const auto enters = [&](std::size_t leaf) { return lines[leaf].enters(); };
+  if (have_short_normals(standing))
+    found.leaf = face_at<MachineInteger>(
+        standing, is_at_start, [&](std::size_t leaf) { return machine_normal(solid.leaves[leaf]); }, enters);
+  else
+    found.leaf = face_at<Dyadic>(
+        standing, is_at_start, [&](std::size_t leaf) { return dyadic_normal(solid.leaves[leaf]); }, enters);
   return found;
 }
 

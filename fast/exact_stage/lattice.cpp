@@ -52,7 +52,7 @@ Dyadic as_dyadic(MachineInteger x) { return {Integer(x), 0}; }
 
 // Bits of a line's value: three products and an offset of at most `terms` bits each take terms + 2, twice
 // that length for a step from start to end adds 1, times lambda and its own sum 1 more. Determinants of two
-// lines take twice as many and one, which must be at most 126; those of the face rule four normals' and 5.
+// lines take twice as many and one, which must be at most 126.
 std::optional<Lattice> Lattice::of(const EntryAsk& ask, std::span<const HalfSpace> leaves) {
   Bits points, normals, offsets, lambdas;
   points.add(ask.from);
@@ -72,7 +72,7 @@ std::optional<Lattice> Lattice::of(const EntryAsk& ask, std::span<const HalfSpac
   const int point_bits = points.highest() - lattice.point_unit_;
   const int terms = std::max(normal_bits + point_bits, offsets.highest() - lattice.normal_unit_);
   const int lambda_bits = std::max(0, lambdas.highest()) - lattice.lambda_unit_ + 1;
-  if (normal_bits > 30 || terms + lambda_bits + 5 > 62) return std::nullopt;
+  if (terms + lambda_bits + 5 > 62) return std::nullopt;
   lattice.start_ = in_units(ask.from, lattice.point_unit_);
   const Normal<MachineInteger> to = in_units(ask.to, lattice.point_unit_);
   for (std::size_t axis = 0; axis < 3; ++axis) lattice.direction_[axis] = to[axis] - lattice.start_[axis];

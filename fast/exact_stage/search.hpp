@@ -11,13 +11,15 @@ namespace groundtruth::fast::exact_stage {
 
 __extension__ using MachineInteger = __int128;
 
+inline int sign(const MachineInteger& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
 // The kinds of numbers. `Slope` numbers may be multiplied with each other and with `Value` numbers; Value
 // numbers are only added and compared.
 struct MachineNumbers {
   using Value = MachineInteger;
   using Slope = MachineInteger;
   static Value value(const Slope& x) { return x; }
-  int sign(const Value& x) const { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+  int sign(const Value& x) const { return exact_stage::sign(x); }
 };
 
 struct DyadicNumbers {

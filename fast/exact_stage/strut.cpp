@@ -90,8 +90,7 @@ Touch touch(const Scene& scene, Ground& ground, const StepAsk& ask, const WorldF
   const Strut strut(ask, world_from_wheel, place);
   const ExpressionView solid = ground.along(strut.ends());
   const Lines<SurdNumbers> lines = strut.lines(solid);
-  const auto normal_of = [&](std::size_t leaf) { return dyadic_normal(solid.leaves[leaf]); };
-  const auto found = find_first_point(strut.numbers(), solid, lines, Dyadic(1.0), normal_of);
+  const auto found = find_first_point(strut.numbers(), solid, lines, Dyadic(1.0));
   if (!found || found->is_at_end) return NoContact{};
   if (!found->crossed || !found->leaf) return StepFailure::wheel_broken;
   const HalfSpace& leaf = solid.leaves[*found->leaf];
