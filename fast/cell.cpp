@@ -108,8 +108,11 @@ Face sole_face(const PackedCells& cells, const Cell& cell, const Probe& probe, c
   if (faces != 1) return {};
   const HalfSpaces4& group = cells.groups[found / 4];
   const std::uint32_t lane = found % 4;
-  return {cells.leaves[found],
-          {{group.normal_x[lane], group.normal_y[lane], group.normal_z[lane]}, group.offset[lane]}};
+  const std::uint32_t leaf =
+      cell.first_leaf != no_leaf ? cell.first_leaf + (found - 4 * cell.first_group) : cells.leaves[found];
+  return {leaf,
+          {{group.normal_x[lane], group.normal_y[lane], group.normal_z[lane]}, group.offset[lane]},
+          cell.material};
 }
 
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error) {
@@ -138,7 +141,7 @@ void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& pr
 
 void PackedCells::begin_cell() {
   const auto place = static_cast<std::uint32_t>(groups.size());
-  cells.push_back({place, place, 0, 0});
+  cells.push_back({.first_group = place, .end_group = place});
 }
 
 namespace {
@@ -166,6 +169,11 @@ void PackedCells::add(const HalfSpace& half_space, Leaf leaf) {
   group.normal_z[place % 4] = normal[2];
   group.offset[place % 4] = offset;
   leaves[place] = static_cast<std::uint32_t>(leaf);
+  const std::uint32_t count = place - 4 * cell.first_group;
+  if (count == 0)
+    cell.first_leaf = leaves[place];
+  else if (cell.first_leaf == no_leaf || cell.first_leaf + count != leaves[place])
+    cell.first_leaf = no_leaf;
   // A sum of three is off by less than 2^-50 of itself.
   const double normal_size = (std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2])) * (1 + 0x1p-50);
   cell.normal_size = std::max(cell.normal_size, no_less_than(normal_size));

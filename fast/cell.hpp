@@ -75,6 +75,7 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe);
 struct Face {
   Leaf leaf = no_leaf;
   HalfSpace half_space;
+  std::uint32_t material = by_rules;  // or whatever is sure of it
 };
 
 // The one half-space of the cell through which the range can enter it at `meeting.lower` to

@@ -32,6 +32,7 @@ class Compiler {
       scene_.left_out_.push_back(
           {Simplification::hidden_rules, hidden_rules_, "materials and paints under a material"});
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
+    if (options.has(Simplification::hidden_rules)) settle_materials();
     scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
                                   std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
   }
@@ -54,6 +55,28 @@ class Compiler {
       scene_.left_out_.push_back({Simplification::constants, scene_.solid_.nodes.size() - folded.size(),
                                   "constants, and operators that they decide"});
     scene_.solid_.nodes = std::move(folded);
+  }
+
+  // Where one material, or none, covers a cell whatever the point, the cell bears it.
+  void settle_materials() {
+    PackedCells& cells = scene_.parts_.cells;
+    for (Cell& cell : cells.cells) {
+      std::optional<std::uint32_t> common;
+      for (std::uint32_t place = 4 * cell.first_group; place != 4 * cell.end_group; ++place) {
+        if (cells.leaves[place] == no_leaf) continue;
+        const std::uint32_t material = material_of(cells.leaves[place]);
+        if (common && *common != material) common = by_rules;
+        if (!common) common = material;
+      }
+      cell.material = common.value_or(by_rules);
+    }
+  }
+
+  std::uint32_t material_of(std::uint32_t leaf) const {
+    const auto& place = scene_.rule_of_leaf_[leaf];
+    if (!place) return no_material;
+    const MaterialRule& rule = scene_.rules_[*place];
+    return rule.region || rule.outer_rule ? by_rules : static_cast<std::uint32_t>(rule.material);
   }
 
   static bool is_ordinary(const Expression& expression) {

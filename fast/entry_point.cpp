@@ -30,7 +30,7 @@ DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask
   if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
   const Stage lambda_stage = entry->crossed ? Stage::exact : Stage::none;
   if (entry->leaf == no_leaf) return {Inside{entry->lambda}, Stage::exact, lambda_stage, Stage::none};
-  const HitPlace place{lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf]}, entry->crossed};
+  const HitPlace place{lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
   return on_face(scene, probe, ask, place, entry->lambda, {Stage::exact, lambda_stage});
 }
 

@@ -37,7 +37,7 @@ class HierarchyBuilder {
     }
     hierarchy_.nodes.push_back(empty);
     std::uint32_t count = 0;
-    divide(parts, BoxNode::width, [&](Parts some) {
+    divide(parts, capacity_below(parts.size()), [&](Parts some) {
       const std::uint32_t child = some.size() == 1 ? BoxNode::first_part + some.front() : build(some);
       Box box = nowhere;
       for (const std::uint32_t part : some) box = hull(box, boxes_[part]);
@@ -52,10 +52,17 @@ class HierarchyBuilder {
   }
 
  private:
-  // Cuts into at most `pieces` by medians along the widest spread.
+  // Of each child of a node over so many parts, with all children but the last ones full.
+  static std::size_t capacity_below(std::size_t parts) {
+    std::size_t capacity = 1;
+    while (capacity * BoxNode::width < parts) capacity *= BoxNode::width;
+    return capacity;
+  }
+
+  // Cuts into pieces of `capacity` parts (one may have less) along the widest spread.
   template <class Visit>
-  void divide(Parts parts, std::uint32_t pieces, const Visit& visit) {
-    if (pieces == 1 || parts.size() == 1) return visit(parts);
+  void divide(Parts parts, std::size_t capacity, const Visit& visit) {
+    if (parts.size() <= capacity) return visit(parts);
     Vector low = nowhere.low, high = nowhere.high;
     for (const std::uint32_t part : parts)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -65,11 +72,11 @@ class HierarchyBuilder {
     std::size_t widest = 0;
     for (const std::size_t axis : {1, 2})
       if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
-    const std::size_t half = parts.size() / 2;
+    const std::size_t half = (parts.size() + capacity - 1) / capacity / 2 * capacity;
     std::nth_element(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(half), parts.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return centres_[a][widest] < centres_[b][widest]; });
-    divide(parts.first(half), pieces / 2, visit);
-    divide(parts.subspan(half), pieces / 2, visit);
+    divide(parts.first(half), capacity, visit);
+    divide(parts.subspan(half), capacity, visit);
   }
 
   const std::vector<Box>& boxes_;

@@ -82,6 +82,9 @@ class RegionView {
 }  // namespace
 
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
+  const std::uint32_t sure = place.face.material;
+  if (sure == no_material) return {std::nullopt, Stage::doubles};
+  if (sure != by_rules) return {MaterialIndex{sure}, Stage::doubles};
   // Rules are linked from the innermost outwards, and the outermost that holds decides.
   FaceMaterial found;
   for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {

@@ -20,12 +20,19 @@ struct alignas(64) HalfSpaces4 {
 
 inline constexpr Leaf no_leaf = 0xffffffff;
 
-// An intersection of half-spaces. Places of its leaves are 4 * first_group, ... in PackedCells::leaves.
+// Of a face: a place in Scene::materials, or one of these.
+inline constexpr std::uint32_t by_rules = 0xffffffff;
+inline constexpr std::uint32_t no_material = 0xfffffffe;
+
+// An intersection of half-spaces. Places of its leaves are 4 * first_group, ... in PackedCells::leaves, which
+// need not be looked up if they are numbered on from first_leaf.
 struct Cell {
   std::uint32_t first_group = 0;
   std::uint32_t end_group = 0;
   float normal_size = 0;  // >= |n_x| + |n_y| + |n_z| of each
   float offset_size = 0;  // >= |d| of each
+  std::uint32_t first_leaf = no_leaf;
+  std::uint32_t material = by_rules;  // of all its faces
 };
 
 struct PackedCells {

@@ -144,7 +144,7 @@ Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& resul
   SievedExpression sieved;
   sieve(scene.solid(), scene.solid().nodes.data() + parts.node_of(part), probe, sieved);
   const Leaf leaf = sole_leaf(sieved, meeting);
-  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf]};
+  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf], by_rules};
 }
 
 }  // namespace groundtruth::fast
