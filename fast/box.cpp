@@ -39,7 +39,8 @@ Bound bound_by_one(std::span<const HalfSpace> half_spaces, const Direction& dire
   Bound best;
   for (const auto& [n, d] : half_spaces) {
     const double along = direction.sign * n[direction.axis];
-    const bool looks_along = along > 0 && n[(direction.axis + 1) % 3] == 0 && n[(direction.axis + 2) % 3] == 0;
+    const bool looks_along =
+        along > 0 && n[(direction.axis + 1) % 3] == 0 && n[(direction.axis + 2) % 3] == 0;
     if (!looks_along) continue;
     const double bound = d / along;
     best.bound = std::min(best.bound, bound + 2 * unit * magnitude(bound) + tiny);
@@ -106,8 +107,8 @@ void bound_by_three(std::span<const HalfSpace> half_spaces, std::array<Bound, 6>
       }
 }
 
-// Largest coordinate of a point x of the cell: |x| <= max |bound| + 3 greatest_slack |x|. Infinite unless every
-// direction is bounded.
+// Largest coordinate of a point x of the cell: |x| <= max |bound| + 3 greatest_slack |x|. Infinite unless
+// every direction is bounded.
 double reach_of(const std::array<Bound, 6>& bounds) {
   double reach = 0;
   for (const Bound& one : bounds) reach = std::max(reach, magnitude(one.bound));

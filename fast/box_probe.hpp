@@ -13,11 +13,11 @@ namespace groundtruth::fast {
 // Beyond this, floats are too coarse to cut anything off.
 inline constexpr double greatest_box_coordinate = 0x1p60;
 
-// Lemma box-slabs (proofs-notes/rounding.md). Per axis the near side of a box is met at (near - near_origin) *
-// inverse, the far side at (far - far_origin) * inverse. The origins are moved apart by `pad`, which exceeds
-// the rounding of the ends, of the origins themselves, and the whole way along an axis of which the inverse
-// is cut off; differences keep their sign, so that only far positions, which are > 0 where the box is met,
-// need to be stretched for the relative errors that are left.
+// Lemma box-slabs (proofs-notes/rounding.md). Per axis the near side of a box is met at (near - near_origin)
+// * inverse, the far side at (far - far_origin) * inverse. The origins are moved apart by `pad`, which
+// exceeds the rounding of the ends, of the origins themselves, and the whole way along an axis of which the
+// inverse is cut off; differences keep their sign, so that only far positions, which are > 0 where the box is
+// met, need to be stretched for the relative errors that are left.
 class BoxProbe {
  public:
   explicit BoxProbe(const RangeEnds& ends) {

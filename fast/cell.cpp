@@ -70,7 +70,8 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe) {
   const double error = error_bound(cell, probe);
   if (!(error < greatest_usable_error)) return {};
   const Crosser crosser(probe, error);
-  Lanes enter_lower = before_range, enter_upper = before_range, exit_lower = after_range, exit_upper = after_range;
+  Lanes enter_lower = before_range, enter_upper = before_range, exit_lower = after_range,
+        exit_upper = after_range;
   Lanes::Choice is_outside{}, is_undecided{};
   for (std::uint32_t i = cell.first_group; i != cell.end_group; ++i) {
     Crossings at;
@@ -86,7 +87,8 @@ Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe) {
   const double lower = std::max(greatest(enter_lower), 0.0);
   if (lower > 1 || lower > least(exit_upper)) return no_meeting;
   const double upper = greatest(enter_upper);
-  const bool is_certain = !is_undecided.any() && upper <= 1 && upper <= least(exit_lower) && least(exit_lower) > 0;
+  const bool is_certain =
+      !is_undecided.any() && upper <= 1 && upper <= least(exit_lower) && least(exit_lower) > 0;
   return {lower, is_certain ? upper : 2};
 }
 
@@ -175,7 +177,8 @@ void PackedCells::add(const HalfSpace& half_space, Leaf leaf) {
   else if (cell.first_leaf == no_leaf || cell.first_leaf + count != leaves[place])
     cell.first_leaf = no_leaf;
   // A sum of three is off by less than 2^-50 of itself.
-  const double normal_size = (std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2])) * (1 + 0x1p-50);
+  const double normal_size =
+      (std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2])) * (1 + 0x1p-50);
   cell.normal_size = std::max(cell.normal_size, no_less_than(normal_size));
   cell.offset_size = std::max(cell.offset_size, no_less_than(std::abs(offset)));
 }

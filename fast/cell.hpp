@@ -65,8 +65,8 @@ struct OpenLeaf {
 
 using OpenLeaves = boost::container::small_vector<OpenLeaf, 64>;
 
-// Of a half-space with these Deltas at the ends, not certainly of one sign together. Requires Deltas within `error`,
-// a usable error bound, of the exact ones.
+// Of a half-space with these Deltas at the ends, not certainly of one sign together. Requires Deltas within
+// `error`, a usable error bound, of the exact ones.
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error);
 
 Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe);

@@ -23,7 +23,8 @@ class Divider {
     if (root->kind != NodeKind::union_of) {
       add(root);
     } else {
-      for (const Node* operand = root + 1; operand != root + root->size; operand += operand->size) add(operand);
+      for (const Node* operand = root + 1; operand != root + root->size; operand += operand->size)
+        add(operand);
     }
     drop_buried();
     pack();
@@ -64,8 +65,7 @@ class Divider {
       leaves_.resize(first);
       ++count;
     };
-    if (has(Simplification::duplicates) && is_written_before(first))
-      return forget(duplicates_);
+    if (has(Simplification::duplicates) && is_written_before(first)) return forget(duplicates_);
     const Box box = box_around(half_spaces_);
     if (has(Simplification::empty_cells) && box.is_empty()) return forget(empty_);
     convex_.push_back({place, first, end, box});
@@ -75,7 +75,8 @@ class Divider {
   bool is_written_before(std::uint32_t first_leaf) {
     std::size_t hash = half_spaces_.size();
     for (const HalfSpace& half_space : half_spaces_)
-      for (const double number : {half_space.normal[0], half_space.normal[1], half_space.normal[2], half_space.offset})
+      for (const double number :
+           {half_space.normal[0], half_space.normal[1], half_space.normal[2], half_space.offset})
         hash = (hash ^ std::hash<double>{}(number)) * 0x9e3779b97f4a7c15;
     const auto [at, is_new] = first_leaf_by_hash_.try_emplace(hash, first_leaf);
     if (is_new || at->second + half_spaces_.size() > first_leaf) return false;
@@ -98,7 +99,8 @@ class Divider {
     }
     Box box = node->kind == NodeKind::union_of ? nowhere : Box{};
     for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size)
-      box = node->kind == NodeKind::union_of ? hull(box, box_of(operand)) : intersection(box, box_of(operand));
+      box =
+          node->kind == NodeKind::union_of ? hull(box, box_of(operand)) : intersection(box, box_of(operand));
     return box;
   }
 
@@ -144,16 +146,18 @@ class Divider {
     }
   }
 
-  // Null: kept[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others span
-  // is met by no point of the cell; only oblique ones are looked at: the others span the box themselves.
+  // Null: kept[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others
+  // span is met by no point of the cell; only oblique ones are looked at: the others span the box themselves.
   std::size_t* reason_to_drop(const ConvexPart& part, const std::vector<std::uint32_t>& kept, std::size_t i) {
     const HalfSpace& half_space = solid_.leaves[kept[i]];
     const auto is_written_alike = [&](std::uint32_t leaf) { return solid_.leaves[leaf] == half_space; };
-    if (has(Simplification::duplicates) && std::any_of(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(i), is_written_alike))
+    if (has(Simplification::duplicates) &&
+        std::any_of(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(i), is_written_alike))
       return &duplicates_;
     const auto& n = half_space.normal;
     const int axes = (n[0] != 0) + (n[1] != 0) + (n[2] != 0);
-    if (!has(Simplification::redundant_half_spaces) || axes < 2 || !(greatest_delta(half_space, part.box) < 0))
+    if (!has(Simplification::redundant_half_spaces) || axes < 2 ||
+        !(greatest_delta(half_space, part.box) < 0))
       return nullptr;
     half_spaces_.clear();
     for (std::size_t other = 0; other < kept.size(); ++other)
@@ -168,7 +172,8 @@ class Divider {
     for (const auto* list : {&convex_, &general_})
       for (const ConvexPart& part : *list) boxes.push_back(part.box);
     std::vector<std::uint32_t> bounded, unbounded_ones;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) (boxes[i].is_bounded() ? bounded : unbounded_ones).push_back(i);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      (boxes[i].is_bounded() ? bounded : unbounded_ones).push_back(i);
     if (unbounded_ones.size() > most_unbounded_parts) {
       bounded.insert(bounded.end(), unbounded_ones.begin(), unbounded_ones.end());
       unbounded_ones.clear();
@@ -218,7 +223,8 @@ class Divider {
     };
     for (const BoxNode& node : hierarchy.nodes)
       for (const std::uint32_t child : node.children)
-        if (child >= BoxNode::first_part && child != BoxNode::no_child) place_next(child - BoxNode::first_part);
+        if (child >= BoxNode::first_part && child != BoxNode::no_child)
+          place_next(child - BoxNode::first_part);
     for (std::uint32_t i = 0; i < cells; ++i) place_next(i);
     return new_number;
   }
@@ -256,8 +262,8 @@ class Divider {
 
 std::string_view name_of(Simplification simplification) {
   constexpr std::string_view names[number_of_simplifications] = {
-      "constants", "duplicates", "empty-cells", "buried-parts", "redundant-half-spaces", "hidden-rules", "hierarchy",
-      "grid"};
+      "constants",    "duplicates", "empty-cells", "buried-parts", "redundant-half-spaces",
+      "hidden-rules", "hierarchy",  "grid"};
   return names[static_cast<std::size_t>(simplification)];
 }
 

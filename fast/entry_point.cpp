@@ -30,7 +30,8 @@ DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask
   if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
   const Stage lambda_stage = entry->crossed ? Stage::exact : Stage::none;
   if (entry->leaf == no_leaf) return {Inside{entry->lambda}, Stage::exact, lambda_stage, Stage::none};
-  const HitPlace place{lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
+  const HitPlace place{
+      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
   return on_face(scene, probe, ask, place, entry->lambda, {Stage::exact, lambda_stage});
 }
 
@@ -54,6 +55,12 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }
 
 void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
+  // What has few squares is in the cache.
+  constexpr std::size_t fewest_entries = 10000;
+  if (scene.parts().grid.entries.size() < fewest_entries) {
+    for (std::size_t i = 0; i != asks.size(); ++i) answers[i] = entry_point(scene, asks[i]);
+    return;
+  }
   constexpr std::size_t most_in_flight = 16;
   boost::container::static_vector<Prefetcher, most_in_flight> in_flight;
   for (std::size_t first = 0; first < asks.size(); first += most_in_flight) {

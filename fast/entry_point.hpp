@@ -20,8 +20,8 @@ namespace groundtruth::fast {
 // Requires what the ask requires (finite numbers, lambda_first <= lambda_last).
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask);
 
-// answers[i] = entry_point(scene, asks[i]), but memory is asked for ahead for several asks at a time. Requires
-// spans of one size.
+// answers[i] = entry_point(scene, asks[i]), but memory is asked for ahead for several asks at a time.
+// Requires spans of one size.
 void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers);
 
 }  // namespace groundtruth::fast

@@ -79,10 +79,13 @@ Grid build_grid(const std::vector<Box>& boxes, const std::vector<std::uint32_t>&
   };
   grid.starts.assign(std::size_t{grid.columns} * grid.rows + 1, 0);
   visit([&](std::size_t square, std::uint32_t) { ++grid.starts[square + 1]; });
-  for (std::size_t square = 1; square < grid.starts.size(); ++square) grid.starts[square] += grid.starts[square - 1];
+  for (std::size_t square = 1; square < grid.starts.size(); ++square)
+    grid.starts[square] += grid.starts[square - 1];
   grid.entries.resize(entries);
   std::vector<std::uint32_t> next(grid.starts.begin(), grid.starts.end() - 1);
-  visit([&](std::size_t square, std::uint32_t part) { grid.entries[next[square]++] = entry_of(boxes[part], part); });
+  visit([&](std::size_t square, std::uint32_t part) {
+    grid.entries[next[square]++] = entry_of(boxes[part], part);
+  });
   return grid;
 }
 

@@ -34,8 +34,8 @@ class GridProbe {
   }
 
   Squares squares(const Grid& grid) const {
-    return {grid.column_of(low_[grid.across]), grid.column_of(high_[grid.across]), grid.row_of(low_[grid.along]),
-            grid.row_of(high_[grid.along])};
+    return {grid.column_of(low_[grid.across]), grid.column_of(high_[grid.across]),
+            grid.row_of(low_[grid.along]), grid.row_of(high_[grid.along])};
   }
 
   bool reaches(const GridEntry& entry) const {

@@ -73,8 +73,9 @@ class HierarchyBuilder {
     for (const std::size_t axis : {1, 2})
       if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
     const std::size_t half = (parts.size() + capacity - 1) / capacity / 2 * capacity;
-    std::nth_element(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(half), parts.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return centres_[a][widest] < centres_[b][widest]; });
+    std::nth_element(
+        parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(half), parts.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return centres_[a][widest] < centres_[b][widest]; });
     divide(parts.first(half), capacity, visit);
     divide(parts.subspan(half), capacity, visit);
   }

@@ -62,7 +62,9 @@ struct LanesOf {
   friend LanesOf lesser(const LanesOf& a, const LanesOf& b) { return choose(a < b, a, b); }
 };
 
-using Lanes = LanesOf<double, double __attribute__((vector_size(16))), std::int64_t __attribute__((vector_size(16)))>;
-using FloatLanes = LanesOf<float, float __attribute__((vector_size(16))), std::int32_t __attribute__((vector_size(16)))>;
+using Lanes =
+    LanesOf<double, double __attribute__((vector_size(16))), std::int64_t __attribute__((vector_size(16)))>;
+using FloatLanes =
+    LanesOf<float, float __attribute__((vector_size(16))), std::int32_t __attribute__((vector_size(16)))>;
 
 }  // namespace groundtruth::fast

@@ -109,9 +109,10 @@ std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& sce
   std::optional<MaterialIndex> material;
   for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
-    const Membership member = rule.region
-                                  ? RegionView(scene.regions()[*rule.region], probe, place, place.face.half_space).of_whole()
-                                  : Membership::yes;
+    const Membership member =
+        rule.region
+            ? RegionView(scene.regions()[*rule.region], probe, place, place.face.half_space).of_whole()
+            : Membership::yes;
     if (member == Membership::open) return std::nullopt;
     if (member == Membership::yes) material = rule.material;
   }

@@ -37,7 +37,8 @@ void Prefetcher::fetch_cells() {
   if (!has_square_) return;
   const Grid& grid = scene_.parts().grid;
   const GridProbe near(ends_);
-  for (std::uint32_t i = grid.starts[square_]; i != grid.starts[square_ + 1] && part_count_ < most_parts; ++i) {
+  for (std::uint32_t i = grid.starts[square_]; i != grid.starts[square_ + 1] && part_count_ < most_parts;
+       ++i) {
     const GridEntry& entry = grid.entries[i];
     if (!scene_.parts().is_cell(entry.part) || !near.reaches(entry)) continue;
     parts_[part_count_++] = entry.part;

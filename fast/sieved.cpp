@@ -209,7 +209,7 @@ class WindowView {
 
   Truth truth_of(const OpenLeaf& leaf) const {
     if (leaf.turn == Turn::undecided) return Truth::open;
-    const bool is_before = leaf.upper < lower_, is_after = leaf.lower > upper_;
+    const bool is_before = leaf.upper<lower_, is_after = leaf.lower> upper_;
     if (!is_before && !is_after) return Truth::open;
     return is_before == (leaf.turn == Turn::enters) ? Truth::yes : Truth::no;
   }

@@ -18,7 +18,8 @@ class OpenSolid {
   void assemble(const Contender* first, const Contender* end, double upper);
 
   exact_stage::ExpressionView view() const {
-    return {{nodes_.data(), nodes_.size()}, {leaves_.data(), leaves_.size()}, {numbers_.data(), numbers_.size()}};
+    return {
+        {nodes_.data(), nodes_.size()}, {leaves_.data(), leaves_.size()}, {numbers_.data(), numbers_.size()}};
   }
   Leaf number(std::size_t place) const { return numbers_[place]; }
   const HalfSpace& leaf(std::size_t place) const { return leaves_[place]; }

@@ -13,8 +13,8 @@ class Chooser {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
   Vector point(const Extent& extent) {
-    return {between(extent.start, extent.start + extent.width), between(extent.start, extent.start + extent.depth),
-            between(extent.low, extent.high)};
+    return {between(extent.start, extent.start + extent.width),
+            between(extent.start, extent.start + extent.depth), between(extent.low, extent.high)};
   }
 
  private:
@@ -29,8 +29,8 @@ std::vector<EntryAsk> struts(const Extent& extent, std::size_t count) {
   for (EntryAsk& ask : asks) {
     ask.from = chooser.point(extent);
     const double length = chooser.between(1, 3);
-    ask.to = {ask.from[0] + chooser.between(-0.2, 0.2) * length, ask.from[1] + chooser.between(-0.2, 0.2) * length,
-              ask.from[2] - length};
+    ask.to = {ask.from[0] + chooser.between(-0.2, 0.2) * length,
+              ask.from[1] + chooser.between(-0.2, 0.2) * length, ask.from[2] - length};
   }
   return asks;
 }

@@ -10,10 +10,10 @@ namespace groundtruth::bench {
 
 // Metres; struts are asked about between these heights.
 struct Extent {
-  double width = 0;   // along x, from 0 (or around 0 for a negative start)
-  double depth = 0;   // along y
-  double start = 0;   // of both
-  double low = 0;     // z
+  double width = 0;  // along x, from 0 (or around 0 for a negative start)
+  double depth = 0;  // along y
+  double start = 0;  // of both
+  double low = 0;    // z
   double high = 0;
 };
 

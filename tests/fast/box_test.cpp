@@ -11,8 +11,8 @@ using fast::Box;
 using fast::box_around;
 
 std::vector<HalfSpace> cube(double size) {
-  return {{{1, 0, 0}, size}, {{-1, 0, 0}, size}, {{0, 1, 0}, size}, {{0, -1, 0}, size}, {{0, 0, 1}, size},
-          {{0, 0, -1}, size}};
+  return {{{1, 0, 0}, size},  {{-1, 0, 0}, size}, {{0, 1, 0}, size},
+          {{0, -1, 0}, size}, {{0, 0, 1}, size},  {{0, 0, -1}, size}};
 }
 
 TEST(FastBox, OfACubeIsTheCubeButForTheLastBits) {
@@ -57,7 +57,8 @@ TEST(FastBox, HoldsEveryPointOfItsCellAndIsTightOnOctahedra) {
       ASSERT_GT(box.low[axis], inside[axis] - 10);
     }
     for (int j = 0; j < 200; ++j) {
-      const Vector x{inside[0] + 3 * number(engine), inside[1] + 3 * number(engine), inside[2] + 3 * number(engine)};
+      const Vector x{inside[0] + 3 * number(engine), inside[1] + 3 * number(engine),
+                     inside[2] + 3 * number(engine)};
       bool is_member = true;
       for (const auto& [n, d] : faces) is_member &= n[0] * x[0] + n[1] * x[1] + n[2] * x[2] <= d - 1e-9;
       for (std::size_t axis = 0; is_member && axis < 3; ++axis) {
@@ -71,8 +72,10 @@ TEST(FastBox, HoldsEveryPointOfItsCellAndIsTightOnOctahedra) {
 TEST(FastBox, OfNearlyDependentNormalsIsNotCutShort) {
   // The roof of a house turned by an arbitrary angle: wall and roof normals are dependent but for rounding.
   const double t = 0.3219699507464362, s = 0.86409507810238084, st = 0.27821264973686149;
-  const std::vector<HalfSpace> house{{{t, -1, 0}, 25.098313043241262},   {{-t, 1, 0}, -16.786211342615744},
-                                     {{1, t, 0}, 116.48907934901986},    {{-1, -t, 0}, -107.86509429650714},
+  const std::vector<HalfSpace> house{{{t, -1, 0}, 25.098313043241262},
+                                     {{-t, 1, 0}, -16.786211342615744},
+                                     {{1, t, 0}, 116.48907934901986},
+                                     {{-1, -t, 0}, -107.86509429650714},
                                      {{s, st, 1.0505544484621741}, 105.36683094535672},
                                      {{-s, -st, 1.0505544484621741}, -88.496506253470045},
                                      {{0, 0, -1}, 0}};

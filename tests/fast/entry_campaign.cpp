@@ -1,5 +1,5 @@
-// entry_campaign SEED ASKS [SCENE...]: entry asks only, fast against exact, and the stages that decided. Exits
-// with 1 on any difference.
+// entry_campaign SEED ASKS [SCENE...]: entry asks only, fast against exact, and the stages that decided.
+// Exits with 1 on any difference.
 
 #include <array>
 #include <cstdint>
@@ -29,11 +29,14 @@ void print(const char* what, const Histogram& histogram) {
               static_cast<unsigned long long>(histogram[3]), static_cast<unsigned long long>(histogram[4]));
 }
 
-void run_part(const Scene& scene, std::uint64_t seed, std::uint64_t asks, const std::string& name, Tally& tally) {
+void run_part(const Scene& scene, std::uint64_t seed, std::uint64_t asks, const std::string& name,
+              Tally& tally) {
   const cases::AskSource source(scene, seed, {1, 0, 0});
   const fast::Scene compiled = fast::compile(scene);
   const exact::Scene prepared(scene);
-  const auto count = [](Histogram& histogram, fast::Stage stage) { ++histogram[static_cast<std::size_t>(stage)]; };
+  const auto count = [](Histogram& histogram, fast::Stage stage) {
+    ++histogram[static_cast<std::size_t>(stage)];
+  };
   for (std::uint64_t i = 0; i < asks; ++i) {
     const EntryAsk ask = std::get<EntryAsk>(source.ask_at(i).ask);
     const fast::DecidedEntry decided = fast::decide_entry(compiled, ask);

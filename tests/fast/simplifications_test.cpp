@@ -42,7 +42,8 @@ TEST_P(FastSimplification, ChangesNoAnswer) {
     const fast::Scene with = fast::compile(scene);
     const fast::Scene without = fast::compile(scene, fast::CompileOptions().leave_off(what));
     for (const EntryAsk& ask : asks_about(scene, ++seed, 150))
-      ASSERT_EQ(fast::entry_point(with, ask), fast::entry_point(without, ask)) << name_of(what) << ", scene " << seed;
+      ASSERT_EQ(fast::entry_point(with, ask), fast::entry_point(without, ask))
+          << name_of(what) << ", scene " << seed;
   }
 }
 
@@ -50,7 +51,8 @@ INSTANTIATE_TEST_SUITE_P(Each, FastSimplification,
                          testing::Range<std::size_t>(0, fast::number_of_simplifications));
 
 std::size_t left_out(const Shape& shape, Simplification what) {
-  const fast::Scene scene = fast::compile(Scene{{{"dry", {}, std::nullopt}, {"wet", {}, std::nullopt}}, shape});
+  const fast::Scene scene =
+      fast::compile(Scene{{{"dry", {}, std::nullopt}, {"wet", {}, std::nullopt}}, shape});
   std::size_t count = 0;
   for (const fast::LeftOut& one : scene.left_out())
     if (one.what == what) count += one.count;
@@ -87,7 +89,8 @@ TEST(FastLeftOut, CountsRulesUnderAMaterial) {
 TEST(FastLeftOut, NamesTheIndex) {
   const auto chosen = [](const Scene& scene, Simplification what) {
     const auto all = fast::compile(scene).left_out();
-    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.what == what && one.count > 0; });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& one) { return one.what == what && one.count > 0; });
   };
   EXPECT_FALSE(chosen(cases::house(), Simplification::hierarchy));
   EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::hierarchy));
@@ -95,12 +98,14 @@ TEST(FastLeftOut, NamesTheIndex) {
 }
 
 TEST(FastBulk, GivesTheAnswersOfOneByOne) {
-  for (const Scene& scene : {cases::house(), cases::town_of(60, 1), cases::hills_of(6), cases::runway_of(50)}) {
+  for (const Scene& scene :
+       {cases::house(), cases::town_of(60, 1), cases::hills_of(6), cases::runway_of(50)}) {
     const fast::Scene compiled = fast::compile(scene);
     const auto asks = asks_about(scene, 5, 1003);
     std::vector<EntryAnswer> answers(asks.size());
     fast::entry_points(compiled, asks, answers);
-    for (std::size_t i = 0; i < asks.size(); ++i) ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
+    for (std::size_t i = 0; i < asks.size(); ++i)
+      ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
   }
 }
 
