@@ -37,7 +37,8 @@ class Load {
   // Of the springs, on the pebble.
   CountedVector<Real, 12> force_in_wheel() const {
     const Wheel& wheel = ask_.wheel;
-    const auto &p = pebble_in_wheel_, &w = velocity_in_wheel_;
+    const auto& p = pebble_in_wheel_;
+    const auto& w = velocity_in_wheel_;
     const auto k_xy = counted<Real>(wheel.k_xy), d_xy = counted<Real>(wheel.d_xy);
     const auto stretch = p[2] - world_from_wheel_.norm_squared() * counted<Real>(wheel.z_zero);
     return {k_xy * p[0] + d_xy * w[0], k_xy * p[1] + d_xy * w[1],

@@ -25,9 +25,9 @@ Number dot(const Normal<Number>& a, const Normal<Number>& b) {
 enum class Value : std::uint8_t { nothing, everything, open };
 
 // What a leaf is near the point; open: the point lies in its plane.
-using LeafValues = boost::container::small_vector<Value, 32>;
+using LeafValues = boost::container::small_vector<Value, 512>;
 
-using StandingLeaves = boost::container::small_vector<std::size_t, 16>;
+using StandingLeaves = boost::container::small_vector<std::size_t, 64>;
 
 inline std::size_t count_operands(const Node* node) {
   std::size_t count = 0;
@@ -246,8 +246,8 @@ class Corner {
   const LeafValues& values_;
   const Value value_;
   const StandingLeaves& standing_;
-  boost::container::small_vector<Normal<Number>, 4> normals_;  // of those that stand
-  mutable boost::container::small_vector<Line, 16> lines_;     // by pairs
+  boost::container::small_vector<Normal<Number>, 8> normals_;  // of those that stand
+  mutable boost::container::small_vector<Line, 64> lines_;     // by pairs
 };
 
 // Do the normals of all leaves that stand fit into so few bits that machine integers will do?

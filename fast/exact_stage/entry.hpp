@@ -31,7 +31,8 @@ struct FirstPoint {
 //    doubles, subnormal ones and the largest included; lambda is correctly rounded.
 // 2. Where the numbers of the ask are short (some 60 bits for a normal, a coordinate and a range's end
 //    together) they are machine integers, else integers as long as need be.
-// 3. Allocates only where an integer needs more than 1,024 bits, or the expression has more than 32 leaves.
+// 3. Allocates only where an integer needs more than 1,024 bits, for more than some 300 leaves (some 40 where
+//    integers are long), and where more than 8 faces meet at the point.
 // Requires what the ask requires, and of numbers nothing but that they are distinct.
 std::optional<FirstPoint> first_point(const ExpressionView& solid, const EntryAsk& ask);
 

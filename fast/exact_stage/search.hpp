@@ -49,8 +49,9 @@ struct Line {
   bool leaves() const { return slope_sign > 0; }
 };
 
+// So many of them fit without allocation.
 template <class Numbers>
-using Lines = boost::container::small_vector<Line<Numbers>, 32>;
+using Lines = boost::container::small_vector<Line<Numbers>, 16384 / sizeof(Line<Numbers>)>;
 
 // A place on the segment is where some line is zero: t = -value / slope. Requires slope != 0.
 template <class Numbers>
