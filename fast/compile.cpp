@@ -1,9 +1,7 @@
 #include <algorithm>
 
 #include <groundtruth/fast/divide.hpp>
-#include <groundtruth/fast/number.hpp>
 #include <groundtruth/fast/scene.hpp>
-#include <groundtruth/fast/segment.hpp>
 
 namespace groundtruth::fast {
 
@@ -33,8 +31,6 @@ class Compiler {
           {Simplification::hidden_rules, hidden_rules_, "materials and paints under a material"});
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
     if (options.has(Simplification::hidden_rules)) settle_materials();
-    scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
-                                  std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
   }
 
   Scene result() { return std::move(scene_); }
@@ -77,12 +73,6 @@ class Compiler {
     if (!place) return no_material;
     const MaterialRule& rule = scene_.rules_[*place];
     return rule.region || rule.outer_rule ? by_rules : static_cast<std::uint32_t>(rule.material);
-  }
-
-  static bool is_ordinary(const Expression& expression) {
-    return std::all_of(expression.leaves.begin(), expression.leaves.end(), [](const HalfSpace& leaf) {
-      return ordinary_size.contains(leaf.normal) && ordinary_size.contains(leaf.offset);
-    });
   }
 
   // Lays out an operator whose operands `add_operands` adds; one with a single operand is that operand.

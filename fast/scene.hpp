@@ -30,8 +30,6 @@ class Scene {
   const std::vector<Material>& materials() const { return materials_; }
   // What compiling dropped, skipped and chosen, and why.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
-  // No normal or offset is so large or small that asks of ordinary size must be answered in wide numbers.
-  bool is_of_ordinary_size() const { return is_of_ordinary_size_; }
 
  private:
   friend class Compiler;
@@ -44,7 +42,6 @@ class Scene {
   std::vector<std::optional<std::size_t>> rule_of_leaf_;
   std::vector<Material> materials_;
   std::vector<LeftOut> left_out_;
-  bool is_of_ordinary_size_ = true;
 };
 
 // Prepares a scene, once. Requires what every scene owes (SPEC sections 1 and 2: finite numbers, materials

@@ -75,15 +75,5 @@ TEST(FastCompile, PutsRegionsApartFromTheSolid) {
   EXPECT_FALSE(scene.rule_of_leaf()[1]);
 }
 
-TEST(FastCompile, TellsScenesOfExtraordinarySize) {
-  const auto is_ordinary = [](const Shape& shape) {
-    return fast::compile(Scene{{{"dry", {}, std::nullopt}}, shape}).is_of_ordinary_size();
-  };
-  EXPECT_TRUE(is_ordinary(half_space({0, 0, 1}, 1e6)));
-  EXPECT_FALSE(is_ordinary(half_space({0, 0, 1e300}, 1)));
-  EXPECT_FALSE(is_ordinary(half_space({0, 0, 1}, 1e-300)));
-  EXPECT_FALSE(is_ordinary(paint(0, half_space({0, 0, 1e300}, 1), half_space({0, 0, 1}, 1))));
-}
-
 }  // namespace
 }  // namespace groundtruth
