@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <groundtruth/fast/number_pair.hpp>
 
@@ -48,8 +49,15 @@ struct Counted {
   }
 };
 
-// No product of 30 sizes underflows: what is not zero counts as at least this.
-inline constexpr double least_size = 0x1p-30;
+// What is not zero counts as at least this: so no size underflows, and underflow of a value is less than its
+// last unit of error.
+inline constexpr double least_size = 0x1p-900;
+
+inline double product_of_sizes(double a, double b) {
+  const double product = a * b;
+  if (!(product < least_size)) return product;  // or not a number
+  return a == 0 || b == 0 ? 0 : least_size;
+}
 
 template <class Real>
 Counted<Real, 0> counted(double x) {
@@ -78,14 +86,19 @@ Counted<Real, n> operator-(const Counted<Real, n>& a) {
 }
 template <class Real, int m, int n>
 Counted<Real, m + n + 1> operator*(const Counted<Real, m>& a, const Counted<Real, n>& b) {
-  return {a.value * b.value, a.size * b.size};
+  if constexpr (std::is_same_v<Real, Pair> && m == 0)  // an input has no low part
+    return {a.value.high * b.value, product_of_sizes(a.size, b.size)};
+  else if constexpr (std::is_same_v<Real, Pair> && n == 0)
+    return {b.value.high * a.value, product_of_sizes(a.size, b.size)};
+  else
+    return {a.value * b.value, product_of_sizes(a.size, b.size)};
 }
 // Lemma counted-square: one of the two factors of its size may be as small as the number itself, so that a
 // square near 0 is known as precisely as its root.
 template <class Real, int n>
 Counted<Real, 2 * n + 1> square(const Counted<Real, n>& a) {
-  return {a.value * a.value,
-          a.size * (std::abs(static_cast<double>(a.value)) * (1 + 0x1p-50) + 2 * a.error())};
+  const double near = std::abs(static_cast<double>(a.value)) * (1 + 0x1p-50) + 2 * a.error();
+  return {a.value * a.value, a.size == 0 ? 0 : std::max(a.size * near, least_size)};
 }
 template <class Real, int n>
 Counted<Real, n> twice(const Counted<Real, n>& a) {
@@ -103,7 +116,8 @@ Counted<Real, m + n + 2> operator/(const Counted<Real, m>& a, const Counted<Real
   if (!(divisor > 0 && b.error() <= 0x1p-10 * divisor))
     return {Real(0.0), std::numeric_limits<double>::infinity()};
   const double inverse = 1.01 / divisor;
-  return {a.value / b.value, a.size == 0 ? 0 : (a.size * inverse) * std::max(b.size * inverse, 1.0)};
+  if (a.size == 0) return {};
+  return {a.value / b.value, std::max((a.size * inverse) * std::max(b.size * inverse, 1.0), least_size)};
 }
 
 inline double root_of(double x) { return std::sqrt(x); }

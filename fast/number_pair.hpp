@@ -55,9 +55,13 @@ inline Pair operator*(const Pair& a, const Pair& b) {
   const Pair p = two_product(a.high, b.high);
   return fast_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
+inline Pair operator*(double a, const Pair& b) {
+  const Pair p = two_product(a, b.high);
+  return fast_two_sum(p.high, p.low + a * b.low);
+}
 inline Pair operator/(const Pair& a, const Pair& b) {
   const double first = a.high / b.high;
-  const Pair rest = a - b * Pair(first);
+  const Pair rest = a - first * b;
   return fast_two_sum(first, rest.high / b.high);
 }
 inline Pair sqrt(const Pair& a) {
