@@ -33,7 +33,12 @@ class Compiler {
     if (options.has(Simplification::hidden_rules)) settle_materials();
   }
 
-  Scene result() { return std::move(scene_); }
+  Scene result() {
+    scene_.solid_.leaves.shrink_to_fit();
+    scene_.rule_of_leaf_.shrink_to_fit();
+    scene_.rules_.shrink_to_fit();
+    return std::move(scene_);
+  }
 
  private:
   enum class Role { solid, region };
@@ -42,7 +47,7 @@ class Compiler {
   struct Site {
     Expression& expression;
     Role role;
-    std::optional<std::size_t> rule;
+    std::optional<std::uint32_t> rule;
   };
 
   void fold_constants() {
@@ -126,7 +131,7 @@ class Compiler {
       ++hidden_rules_;
       return add(site, *paint.over, op);
     }
-    const std::size_t region = scene_.regions_.size();
+    const auto region = static_cast<std::uint32_t>(scene_.regions_.size());
     scene_.regions_.emplace_back();
     Expression expression;
     const Site where{expression, Role::region, std::nullopt};
@@ -148,7 +153,7 @@ class Compiler {
       return add(site, over, op);
     }
     scene_.rules_.push_back(rule);
-    add(Site{site.expression, site.role, scene_.rules_.size() - 1}, over, op);
+    add(Site{site.expression, site.role, static_cast<std::uint32_t>(scene_.rules_.size() - 1)}, over, op);
   }
 
   void add_operator(const Site& site, NodeKind kind, const std::vector<Shape>& operands, Operator& op) {

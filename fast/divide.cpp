@@ -29,6 +29,9 @@ class Divider {
     drop_buried();
     pack();
     report();
+    parts_.cells.groups.shrink_to_fit();
+    parts_.cells.leaves.shrink_to_fit();
+    parts_.cells.cells.shrink_to_fit();
     return std::move(parts_);
   }
 

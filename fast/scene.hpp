@@ -2,6 +2,7 @@
 // A scene in the form in which fast answers asks about it.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace groundtruth::fast {
 // `material` where `region` holds (everywhere, if absent), unless a rule further out has decided.
 struct MaterialRule {
   MaterialIndex material = 0;
-  std::optional<std::size_t> region;      // a place in Scene::regions
-  std::optional<std::size_t> outer_rule;  // the next one on the way to the root, a place in Scene::rules
+  std::optional<std::uint32_t> region;      // a place in Scene::regions
+  std::optional<std::uint32_t> outer_rule;  // the next one on the way to the root, a place in Scene::rules
 };
 
 class Scene {
@@ -26,7 +27,7 @@ class Scene {
   const std::vector<Expression>& regions() const { return regions_; }
   const std::vector<MaterialRule>& rules() const { return rules_; }
   // The innermost rule of each leaf of the solid.
-  const std::vector<std::optional<std::size_t>>& rule_of_leaf() const { return rule_of_leaf_; }
+  const std::vector<std::optional<std::uint32_t>>& rule_of_leaf() const { return rule_of_leaf_; }
   const std::vector<Material>& materials() const { return materials_; }
   // What compiling dropped, skipped and chosen, and why.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
@@ -39,7 +40,7 @@ class Scene {
   Parts parts_;
   std::vector<Expression> regions_;
   std::vector<MaterialRule> rules_;
-  std::vector<std::optional<std::size_t>> rule_of_leaf_;
+  std::vector<std::optional<std::uint32_t>> rule_of_leaf_;
   std::vector<Material> materials_;
   std::vector<LeftOut> left_out_;
 };
