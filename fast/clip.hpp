@@ -1,5 +1,5 @@
 #pragma once
-// Clipping a force to what a pebble can bear, in doubles.
+// Clipping a force to what a pebble can bear: as exactly as it can be told in doubles.
 
 #include <groundtruth/problem/answer.hpp>
 #include <groundtruth/problem/ask.hpp>
@@ -7,13 +7,14 @@
 namespace groundtruth::fast {
 
 // The part of the ask's force that lies in the border of the surface: SPEC section 4.
-// 1. Decisions (too steep, stick or slip, case of the slip) compare squares of rational expressions, without
-//    a root or an angle. Where these can be computed without rounding (small integers, say) they are exact.
-// 2. Otherwise they are those of plain doubles: unproved, and the force has no proved error bound.
-// 3. A force that sticks comes back bit for bit.
-// 4. A force outside the range of doubles is refused ("force[0] leaves the range of doubles"); no answer
-//    bears a NaN or an infinity.
-// No allocation but for the text of a refusal.
+// 1. Too steep, stick or slip, and the case of a slip are those of exact numbers, for any doubles: decided in
+//    doubles or double-double within a proven bound, else exactly (lemmas counted-roundings and slip-signs,
+//    proofs-notes/rounding-of-forces.md).
+// 2. Every component of the force is the exact one rounded to nearest, never -0; a force that sticks comes
+// back
+//    bit for bit.
+// 3. A component outside the range of doubles is refused ("force[0] leaves the range of doubles").
+// No allocation but for the text of a refusal and where the exact stage needs more than 1,024 bits.
 // Requires what the ask requires (finite numbers, friction >= 0, brake >= 0, min_uprightness > 0).
 ClipAnswer clip(const ClipAsk& ask);
 

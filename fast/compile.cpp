@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <groundtruth/fast/number.hpp>
+
+#include <groundtruth/fast/divide.hpp>
 #include <groundtruth/fast/scene.hpp>
-#include <groundtruth/fast/segment.hpp>
 
 namespace groundtruth::fast {
 
@@ -21,15 +21,24 @@ struct Operator {
 
 class Compiler {
  public:
-  explicit Compiler(const groundtruth::Scene& scene) {
+  Compiler(const groundtruth::Scene& scene, const CompileOptions& options) : options_(options) {
     scene_.materials_ = scene.materials;
     Site site{scene_.solid_, Role::solid, std::nullopt};
     operate(site, NodeKind::union_of, [&](Operator& op) { add(site, scene.shape, op); });
-    scene_.is_of_ordinary_size_ = is_ordinary(scene_.solid_) &&
-                                  std::all_of(scene_.regions_.begin(), scene_.regions_.end(), is_ordinary);
+    if (options.has(Simplification::constants)) fold_constants();
+    if (hidden_rules_ > 0)
+      scene_.left_out_.push_back(
+          {Simplification::hidden_rules, hidden_rules_, "materials and paints under a material"});
+    scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
+    if (options.has(Simplification::hidden_rules)) settle_materials();
   }
 
-  Scene result() { return std::move(scene_); }
+  Scene result() {
+    scene_.solid_.leaves.shrink_to_fit();
+    scene_.rule_of_leaf_.shrink_to_fit();
+    scene_.rules_.shrink_to_fit();
+    return std::move(scene_);
+  }
 
  private:
   enum class Role { solid, region };
@@ -38,13 +47,37 @@ class Compiler {
   struct Site {
     Expression& expression;
     Role role;
-    std::optional<std::size_t> rule;
+    std::optional<std::uint32_t> rule;
   };
 
-  static bool is_ordinary(const Expression& expression) {
-    return std::all_of(expression.leaves.begin(), expression.leaves.end(), [](const HalfSpace& leaf) {
-      return ordinary_size.contains(leaf.normal) && ordinary_size.contains(leaf.offset);
-    });
+  void fold_constants() {
+    std::vector<Node> folded = fold(scene_.solid_);
+    if (folded.size() < scene_.solid_.nodes.size())
+      scene_.left_out_.push_back({Simplification::constants, scene_.solid_.nodes.size() - folded.size(),
+                                  "constants, and operators that they decide"});
+    scene_.solid_.nodes = std::move(folded);
+  }
+
+  // Where one material, or none, covers a cell whatever the point, the cell bears it.
+  void settle_materials() {
+    PackedCells& cells = scene_.parts_.cells;
+    for (Cell& cell : cells.cells) {
+      std::optional<std::uint32_t> common;
+      for (std::uint32_t place = 4 * cell.first_group; place != 4 * cell.end_group; ++place) {
+        if (cells.leaves[place] == no_leaf) continue;
+        const std::uint32_t material = material_of(cells.leaves[place]);
+        if (common && *common != material) common = by_rules;
+        if (!common) common = material;
+      }
+      cell.material = common.value_or(by_rules);
+    }
+  }
+
+  std::uint32_t material_of(std::uint32_t leaf) const {
+    const auto& place = scene_.rule_of_leaf_[leaf];
+    if (!place) return no_material;
+    const MaterialRule& rule = scene_.rules_[*place];
+    return rule.region || rule.outer_rule ? by_rules : static_cast<std::uint32_t>(rule.material);
   }
 
   // Lays out an operator whose operands `add_operands` adds; one with a single operand is that operand.
@@ -94,7 +127,11 @@ class Compiler {
 
   void add(const Site& site, const Painted& paint, Operator& op) {
     if (site.role == Role::region) return add(site, *paint.over, op);
-    const std::size_t region = scene_.regions_.size();
+    if (is_hidden(site)) {
+      ++hidden_rules_;
+      return add(site, *paint.over, op);
+    }
+    const auto region = static_cast<std::uint32_t>(scene_.regions_.size());
     scene_.regions_.emplace_back();
     Expression expression;
     const Site where{expression, Role::region, std::nullopt};
@@ -104,10 +141,19 @@ class Compiler {
                    op);
   }
 
+  // The innermost rule so far covers all: it decides wherever none further out does.
+  bool is_hidden(const Site& site) const {
+    return options_.has(Simplification::hidden_rules) && site.rule && !scene_.rules_[*site.rule].region;
+  }
+
   void add_under_rule(const Site& site, const MaterialRule& rule, const Shape& over, Operator& op) {
     if (site.role == Role::region) return add(site, over, op);
+    if (is_hidden(site)) {
+      ++hidden_rules_;
+      return add(site, over, op);
+    }
     scene_.rules_.push_back(rule);
-    add(Site{site.expression, site.role, scene_.rules_.size() - 1}, over, op);
+    add(Site{site.expression, site.role, static_cast<std::uint32_t>(scene_.rules_.size() - 1)}, over, op);
   }
 
   void add_operator(const Site& site, NodeKind kind, const std::vector<Shape>& operands, Operator& op) {
@@ -126,9 +172,13 @@ class Compiler {
     site.expression.nodes.push_back({.kind = kind});
   }
 
+  const CompileOptions& options_;
+  std::size_t hidden_rules_ = 0;
   Scene scene_;
 };
 
-Scene compile(const groundtruth::Scene& scene) { return Compiler(scene).result(); }
+Scene compile(const groundtruth::Scene& scene, const CompileOptions& options) {
+  return Compiler(scene, options).result();
+}
 
 }  // namespace groundtruth::fast

@@ -1,47 +1,80 @@
-#include <groundtruth/fast/arrival.hpp>
-#include <groundtruth/fast/entry.hpp>
 #include <groundtruth/fast/entry_point.hpp>
-#include <groundtruth/fast/face.hpp>
-#include <groundtruth/fast/material.hpp>
+
+#include <algorithm>
+
+#include <boost/container/static_vector.hpp>
+#include <groundtruth/fast/crossing.hpp>
+#include <groundtruth/fast/decided_entry.hpp>
+#include <groundtruth/fast/paint.hpp>
+#include <groundtruth/fast/undecided.hpp>
 
 namespace groundtruth::fast {
 
-template <class Number>
-std::optional<Entry<Number>> find_entry(const Scene& scene, const Segment<Number>& segment,
-                                        Range<Number> range) {
-  const Expression& solid = scene.solid();
-  const auto arrival = ArrivalSearch<Number>(solid, segment).first(range);
-  if (!arrival) return std::nullopt;
-  if (arrival->sole_leaf) return Entry<Number>{arrival->lambda, arrival->sole_leaf};
-  const LocalShape shape = local_shape(solid, segment, arrival->lambda);
-  const bool is_at_start = arrival->lambda == range.first;
-  if (is_at_start && is_interior(shape, solid)) return Entry<Number>{arrival->lambda, std::nullopt};
-  const auto candidates = is_at_start ? Candidates::all_leaves : Candidates::entered_leaves;
-  return Entry<Number>{arrival->lambda, canonical_leaf(shape, solid, candidates)};
-}
-
-template std::optional<Entry<double>> find_entry(const Scene&, const Segment<double>&, Range<double>);
-template std::optional<Entry<Wide>> find_entry(const Scene&, const Segment<Wide>&, Range<Wide>);
-
 namespace {
 
-template <class Number>
-EntryAnswer answer(const Scene& scene, const EntryAsk& ask) {
-  const Segment<Number> segment(as<Number>(ask.from), as<Number>(ask.to));
-  const auto entry = find_entry<Number>(scene, segment, {ask.lambda_first, ask.lambda_last});
-  if (!entry) return Miss{};
-  const auto lambda = static_cast<double>(entry->lambda);
-  if (!entry->leaf) return Inside{lambda};
-  return Border{lambda, *entry->leaf, scene.solid().leaves[*entry->leaf].normal,
-                material_at(scene, *entry->leaf, segment, entry->lambda)};
+struct Stages {
+  Stage place;
+  Stage lambda;
+};
+
+DecidedEntry on_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place,
+                     double lambda, Stages stages) {
+  const FaceMaterial found = material_at(scene, probe, ask, place);
+  return {Border{lambda, place.face.leaf, place.face.half_space.normal, found.material}, stages.place,
+          stages.lambda, found.stage};
+}
+
+DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask, SearchResult& result) {
+  const double lower = result.lower();
+  const auto entry = decide(scene, probe, ask, result);
+  if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
+  const Stage lambda_stage = entry->crossed ? Stage::exact : Stage::none;
+  if (entry->leaf == no_leaf) return {Inside{entry->lambda}, Stage::exact, lambda_stage, Stage::none};
+  const HitPlace place{
+      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
+  return on_face(scene, probe, ask, place, entry->lambda, {Stage::exact, lambda_stage});
 }
 
 }  // namespace
 
-EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {
-  const bool is_ordinary =
-      scene.is_of_ordinary_size() && ordinary_size.contains(ask.from) && ordinary_size.contains(ask.to);
-  return is_ordinary ? answer<double>(scene, ask) : answer<Wide>(scene, ask);
+DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
+  const Probe probe(ends_of(ask));
+  SearchResult result;
+  search(scene, probe, result);
+  if (result.starts_inside) return {Inside{ask.lambda_first + 0.0}, Stage::doubles, Stage::none, Stage::none};
+  if (result.contenders.empty()) return {Miss{}, Stage::doubles, Stage::none, Stage::none};
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf) return exactly(scene, probe, ask, result);
+  const auto lambda = rounded_crossing(face.half_space, ask);
+  const HitPlace place{result.lower(), result.upper, face, face.half_space};
+  return lambda ? on_face(scene, probe, ask, place, *lambda, {Stage::doubles, Stage::double_pair})
+                : on_face(scene, probe, ask, place, exact_stage::crossing(face.half_space, ask),
+                          {Stage::doubles, Stage::exact});
+}
+
+EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }
+
+void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
+  // What has few squares is in the cache.
+  constexpr std::size_t fewest_entries = 10000;
+  if (scene.parts().grid.entries.size() < fewest_entries) {
+    for (std::size_t i = 0; i != asks.size(); ++i) answers[i] = entry_point(scene, asks[i]);
+    return;
+  }
+  constexpr std::size_t most_in_flight = 16;
+  boost::container::static_vector<Prefetcher, most_in_flight> in_flight;
+  for (std::size_t first = 0; first < asks.size(); first += most_in_flight) {
+    const std::size_t end = std::min(asks.size(), first + most_in_flight);
+    in_flight.clear();
+    for (std::size_t i = first; i != end; ++i) {
+      in_flight.emplace_back(scene, ends_of(asks[i]));
+      in_flight.back().fetch_starts();
+    }
+    for (Prefetcher& ask : in_flight) ask.fetch_entries();
+    for (Prefetcher& ask : in_flight) ask.fetch_cells();
+    for (Prefetcher& ask : in_flight) ask.fetch_half_spaces();
+    for (std::size_t i = first; i != end; ++i) answers[i] = entry_point(scene, asks[i]);
+  }
 }
 
 }  // namespace groundtruth::fast

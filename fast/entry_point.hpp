@@ -1,5 +1,7 @@
 #pragma once
-// The entry point (Phi) in doubles.
+// The entry point (Phi).
+
+#include <span>
 
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/problem/answer.hpp>
@@ -7,16 +9,19 @@
 
 namespace groundtruth::fast {
 
-// Where the ask's segment first meets the scene's solid: SPEC section 3.
-// 1. Every crossing of the segment with a plane is rounded once; hit or miss and lambda are exact for the
-//    crossings so rounded. The answer is always one of the three kinds; its lambda is finite, in the range.
-// 2. Where coordinates, normals and offsets are so short (small integers, say) that no Delta is rounded, hit
-//    or miss, face and material are exact and lambda is correctly rounded.
-// 3. Otherwise all decisions (hit or miss, face, material) and lambda are those of plain doubles: unproved,
-//    without an error bound.
-// 4. Safe for concurrent asks on one scene. No allocation, unless more than 64 leaves and operators are left
-//    of the scene's expression once it is simplified for the point.
+// Where the ask's segment first meets the scene's solid: SPEC section 3, exactly, for any finite doubles.
+// 1. Hit or miss, interior or border, the canonical leaf and its material are those of the exact problem that
+//    these doubles pose, and lambda is the exact one rounded to nearest. Doubles decide where a proven bound
+//    allows it (lemmas clip-interval, range-ends, crossing-in-double-double: proofs-notes/rounding.md), exact
+//    integers where not.
+// 2. The same bits with every compiler, level of optimisation and processor.
+// 3. Safe for concurrent asks on one scene. No allocation, unless more than 128 parts of the solid cannot be
+//    told apart where the segment enters it, or more than 32 leaves of these are undecided.
 // Requires what the ask requires (finite numbers, lambda_first <= lambda_last).
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask);
+
+// answers[i] = entry_point(scene, asks[i]), but memory is asked for ahead for several asks at a time.
+// Requires spans of one size.
+void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers);
 
 }  // namespace groundtruth::fast

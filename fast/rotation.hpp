@@ -1,38 +1,42 @@
 #pragma once
-// Rotations by quaternions of any length (SPEC section 1). Not installed.
+// Rotations by quaternions of any length (SPEC section 1), in counted numbers. Not installed.
 
-#include <groundtruth/fast/number.hpp>
+#include <groundtruth/fast/surface.hpp>
 
 namespace groundtruth::fast {
 
-// v -> q v q^-1, divided by |q|^2 only at the end: where the quaternion is of integers and the result a
-// double, nothing is rounded.
-template <class Number>
+// Vectors come out longer by |q|^2.
+template <class Real>
 class WorldFromWheel {
  public:
   explicit WorldFromWheel(const Quaternion& q) {
-    const Number w(q[0]), x(q[1]), y(q[2]), z(q[3]);
-    const Number ww = w * w, xx = x * x, yy = y * y, zz = z * z;
-    matrix_ << ww + xx - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-        2 * (x * y + w * z), ww - xx + yy - zz, 2 * (y * z - w * x),         //
-        2 * (x * z - w * y), 2 * (y * z + w * x), ww - xx - yy + zz;
-    norm_squared_ = ww + xx + yy + zz;
+    const auto w = counted<Real>(q[0]), x = counted<Real>(q[1]), y = counted<Real>(q[2]),
+               z = counted<Real>(q[3]);
+    const auto ww = w * w, xx = x * x, yy = y * y, zz = z * z;
+    rows_ = {{{(ww + xx) - (yy + zz), twice(x * y - w * z), twice(x * z + w * y)},
+              {twice(x * y + w * z), (ww + yy) - (xx + zz), twice(y * z - w * x)},
+              {twice(x * z - w * y), twice(y * z + w * x), (ww + zz) - (xx + yy)}}};
+    norm_squared_ = (ww + xx) + (yy + zz);
   }
 
-  Vector3<Number> to_world(const Vector3<Number>& in_wheel) const {
-    return (matrix_ * in_wheel) / norm_squared_;
+  const Counted<Real, 3>& norm_squared() const { return norm_squared_; }
+
+  template <int n>
+  auto to_world(const CountedVector<Real, n>& in_wheel) const {
+    return CountedVector<Real, n + 6>{dot(rows_[0], in_wheel), dot(rows_[1], in_wheel),
+                                      dot(rows_[2], in_wheel)};
   }
-  Vector3<Number> to_wheel(const Vector3<Number>& in_world) const {
-    return direction_to_wheel(in_world) / norm_squared_;
-  }
-  // Longer than the original by a positive factor.
-  Vector3<Number> direction_to_wheel(const Vector3<Number>& in_world) const {
-    return matrix_.transpose() * in_world;
+  template <int n>
+  auto to_wheel(const CountedVector<Real, n>& in_world) const {
+    const auto component = [&](std::size_t axis) {
+      return rows_[0][axis] * in_world[0] + rows_[1][axis] * in_world[1] + rows_[2][axis] * in_world[2];
+    };
+    return CountedVector<Real, n + 6>{component(0), component(1), component(2)};
   }
 
  private:
-  Eigen::Matrix<Number, 3, 3> matrix_;  // of the rotation, times norm_squared_
-  Number norm_squared_;
+  std::array<CountedVector<Real, 3>, 3> rows_;
+  Counted<Real, 3> norm_squared_;
 };
 
 }  // namespace groundtruth::fast

@@ -2,10 +2,13 @@
 // A scene in the form in which fast answers asks about it.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include <groundtruth/fast/compile_options.hpp>
 #include <groundtruth/fast/expression.hpp>
+#include <groundtruth/fast/parts.hpp>
 #include <groundtruth/problem/scene.hpp>
 
 namespace groundtruth::fast {
@@ -13,36 +16,38 @@ namespace groundtruth::fast {
 // `material` where `region` holds (everywhere, if absent), unless a rule further out has decided.
 struct MaterialRule {
   MaterialIndex material = 0;
-  std::optional<std::size_t> region;      // a place in Scene::regions
-  std::optional<std::size_t> outer_rule;  // the next one on the way to the root, a place in Scene::rules
+  std::optional<std::uint32_t> region;      // a place in Scene::regions
+  std::optional<std::uint32_t> outer_rule;  // the next one on the way to the root, a place in Scene::rules
 };
 
 class Scene {
  public:
   const Expression& solid() const { return solid_; }
+  const Parts& parts() const { return parts_; }
   const std::vector<Expression>& regions() const { return regions_; }
   const std::vector<MaterialRule>& rules() const { return rules_; }
   // The innermost rule of each leaf of the solid.
-  const std::vector<std::optional<std::size_t>>& rule_of_leaf() const { return rule_of_leaf_; }
+  const std::vector<std::optional<std::uint32_t>>& rule_of_leaf() const { return rule_of_leaf_; }
   const std::vector<Material>& materials() const { return materials_; }
-  // No normal or offset is so large or small that asks of ordinary size must be answered in wide numbers.
-  bool is_of_ordinary_size() const { return is_of_ordinary_size_; }
+  // What compiling dropped, skipped and chosen, and why.
+  const std::vector<LeftOut>& left_out() const { return left_out_; }
 
  private:
   friend class Compiler;
   Scene() = default;
 
   Expression solid_;
+  Parts parts_;
   std::vector<Expression> regions_;
   std::vector<MaterialRule> rules_;
-  std::vector<std::optional<std::size_t>> rule_of_leaf_;
+  std::vector<std::optional<std::uint32_t>> rule_of_leaf_;
   std::vector<Material> materials_;
-  bool is_of_ordinary_size_ = true;
+  std::vector<LeftOut> left_out_;
 };
 
-// Flattens a scene, once. Requires what every scene owes (SPEC sections 1 and 2: finite numbers, materials
+// Prepares a scene, once. Requires what every scene owes (SPEC sections 1 and 2: finite numbers, materials
 // that exist, no null operand), operators nested at most 1,000 deep and fewer than 2^32 half-spaces.
 // Nothing in the result refers to the argument.
-Scene compile(const groundtruth::Scene& scene);
+Scene compile(const groundtruth::Scene& scene, const CompileOptions& options = {});
 
 }  // namespace groundtruth::fast

@@ -45,9 +45,16 @@ TEST(FastCompile, UnwrapsLoneOperands) {
   EXPECT_EQ(layout(unite({intersect({unite({plane(0)}), plane(1)})})), "C[0,2)");
 }
 
-TEST(FastCompile, KeepsConstantsAndEmptyOperators) {
-  EXPECT_EQ(layout(unite({{Everything{}}, {Nothing{}}, intersect({})})), "U(10I())");
-  EXPECT_EQ(layout(unite({})), "U()");
+TEST(FastCompile, FoldsConstantsAndEmptyOperators) {
+  EXPECT_EQ(layout(unite({{Everything{}}, {Nothing{}}, intersect({})})), "1");
+  EXPECT_EQ(layout(unite({})), "0");
+  EXPECT_EQ(layout(intersect({plane(0), unite({plane(1), {Everything{}}}), plane(2)})), "I(C[0,1)C[2,3))");
+  EXPECT_EQ(layout(unite({plane(0), intersect({plane(1), {Nothing{}}})})), "C[0,1)");
+}
+
+TEST(FastCompile, FoldsZeroNormals) {
+  EXPECT_EQ(layout(intersect({plane(0), half_space({0, 0, 0}, 1), plane(2)})), "I(C[0,1)C[2,3))");
+  EXPECT_EQ(layout(unite({plane(0), intersect({plane(1), half_space({0, 0, 0}, -1)})})), "C[0,1)");
 }
 
 TEST(FastCompile, SeesThroughMaterials) {
@@ -66,16 +73,6 @@ TEST(FastCompile, PutsRegionsApartFromTheSolid) {
   EXPECT_EQ(scene.solid().leaves.size(), 2u);
   EXPECT_TRUE(scene.rule_of_leaf()[0]);
   EXPECT_FALSE(scene.rule_of_leaf()[1]);
-}
-
-TEST(FastCompile, TellsScenesOfExtraordinarySize) {
-  const auto is_ordinary = [](const Shape& shape) {
-    return fast::compile(Scene{{{"dry", {}, std::nullopt}}, shape}).is_of_ordinary_size();
-  };
-  EXPECT_TRUE(is_ordinary(half_space({0, 0, 1}, 1e6)));
-  EXPECT_FALSE(is_ordinary(half_space({0, 0, 1e300}, 1)));
-  EXPECT_FALSE(is_ordinary(half_space({0, 0, 1}, 1e-300)));
-  EXPECT_FALSE(is_ordinary(paint(0, half_space({0, 0, 1e300}, 1), half_space({0, 0, 1}, 1))));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// RapidCheck's own default of 100 cases a law is too few here. RC_PARAMS in the environment overrides this, for
-// instance to replay a seed, or to let it search for longer.
+// RapidCheck's own default of 100 cases a law is too few here. RC_PARAMS in the environment overrides this,
+// for instance to replay a seed, or to let it search for longer.
 
 #include <cstdlib>
 

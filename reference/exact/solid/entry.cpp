@@ -118,7 +118,7 @@ template <typename Number>
 std::optional<Entry<Number>> find_entry(const Solid& solid, const Segment<Number>& segment) {
   const Deciders<Number> along = deciders(solid, segment);
   const Number first(segment.first);
-  const auto lambda = Recursion<Number>(along.expression, along.courses).entry(first, Number(segment.last));
+  const auto lambda = Recursion<Number>(along.expression, along.courses, Number(segment.last)).entry(first);
   if (!lambda) return std::nullopt;
   const Arrival arrival = less(first, *lambda) ? Arrival::by_moving : Arrival::by_starting;
   LocalFaces faces = faces_at(along, *lambda, arrival);

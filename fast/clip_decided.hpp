@@ -1,0 +1,19 @@
+#pragma once
+// A clip's answer together with the stages that decided it, for tests and histograms. Not installed.
+
+#include <groundtruth/fast/stage.hpp>
+#include <groundtruth/problem/answer.hpp>
+#include <groundtruth/problem/ask.hpp>
+
+namespace groundtruth::fast {
+
+struct DecidedClip {
+  ClipAnswer answer;
+  Stage decisions = Stage::none;
+  Stage force = Stage::none;  // none: it is the ask's, or there is none
+};
+
+// clip() is its answer.
+DecidedClip decide_clip(const ClipAsk& ask);
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,50 @@
+#pragma once
+// What compiling a scene may leave out, and what it did leave out.
+
+#include <bitset>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace groundtruth::fast {
+
+// None changes an answer. Names in reports: name_of().
+enum class Simplification {
+  constants,              // everything, nothing and zero normals are folded away
+  duplicates,             // an operand of the solid's union that is written like an earlier one
+  empty_cells,            // intersections that certainly have no point
+  buried_parts,           // cells that lie wholly inside a half-space of the solid's union
+  redundant_half_spaces,  // faces of a cell that the cell certainly does not reach
+  hidden_rules,           // materials under a material that covers the same faces
+  hierarchy,              // the boxes over the parts; without it every part is looked at
+  grid,                   // the squares over flat scenes, for short ranges
+};
+
+inline constexpr std::size_t number_of_simplifications = 8;
+
+std::string_view name_of(Simplification simplification);
+
+class CompileOptions {
+ public:
+  // All simplifications are on.
+  CompileOptions() = default;
+
+  CompileOptions& leave_off(Simplification simplification) {
+    off_.set(static_cast<std::size_t>(simplification));
+    return *this;
+  }
+  bool has(Simplification simplification) const { return !off_[static_cast<std::size_t>(simplification)]; }
+
+ private:
+  std::bitset<number_of_simplifications> off_;
+};
+
+// One kind of thing that was dropped, skipped or chosen.
+struct LeftOut {
+  Simplification what = Simplification::constants;
+  std::size_t count = 0;  // of the things dropped, or of those that an index holds
+  std::string why;
+};
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,21 @@
+#pragma once
+// An entry answer together with the stages that decided it, for tests and histograms. Not installed.
+
+#include <groundtruth/fast/scene.hpp>
+#include <groundtruth/fast/stage.hpp>
+#include <groundtruth/problem/answer.hpp>
+#include <groundtruth/problem/ask.hpp>
+
+namespace groundtruth::fast {
+
+struct DecidedEntry {
+  EntryAnswer answer;
+  Stage place = Stage::none;     // hit or miss, and the leaf
+  Stage lambda = Stage::none;    // none: it is the range's first, or there is none
+  Stage material = Stage::none;  // none: no face is hit
+};
+
+// entry_point() is its answer.
+DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask);
+
+}  // namespace groundtruth::fast

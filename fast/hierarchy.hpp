@@ -1,0 +1,33 @@
+#pragma once
+// A hierarchy of boxes, eight abreast, over the parts of a solid.
+
+#include <cstdint>
+#include <vector>
+
+#include <groundtruth/fast/box.hpp>
+
+namespace groundtruth::fast {
+
+// Boxes in floats, rounded outwards. Children from first_part on are parts, the others nodes; no_child ends
+// them.
+struct alignas(64) BoxNode {
+  static constexpr std::uint32_t width = 8;
+  static constexpr std::uint32_t first_part = 0x80000000;
+  static constexpr std::uint32_t no_child = 0xffffffff;
+
+  float low[3][width];
+  float high[3][width];
+  std::uint32_t children[width];
+};
+
+struct BoxHierarchy {
+  std::vector<BoxNode> nodes;  // the first is the root; none: no parts
+};
+
+// Over boxes[part] of the parts named, which must not be empty boxes.
+BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, std::vector<std::uint32_t> parts);
+
+float rounded_down(double x);
+float rounded_up(double x);
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,122 @@
+#include <groundtruth/fast/paint.hpp>
+
+#include <boost/container/small_vector.hpp>
+#include <groundtruth/fast/exact_stage/entry.hpp>
+
+namespace groundtruth::fast {
+
+namespace {
+
+enum class Membership { no, open, yes };
+
+// Whole planes that are written alike, or opposite: then neither needs a look at numbers.
+bool have_one_plane_as_written(const HalfSpace& a, const HalfSpace& b) {
+  if (a == b) return true;
+  const auto& n = b.normal;
+  return a.offset == -b.offset && a.normal == Vector{-n[0], -n[1], -n[2]};
+}
+
+// Is the hit in a region?
+class RegionView {
+ public:
+  RegionView(const Expression& region, const Probe& probe, const HitPlace& place, const HalfSpace& face)
+      : region_(region), probe_(probe), place_(place), face_(face) {}
+
+  Membership of_whole() const { return of(region_.nodes.data()); }
+
+ private:
+  Membership of(const Node* node) const {
+    switch (node->kind) {
+      case NodeKind::nothing:
+        return Membership::no;
+      case NodeKind::everything:
+        return Membership::yes;
+      case NodeKind::cell:
+        return of_cell(*node);
+      case NodeKind::union_of:
+      case NodeKind::intersection_of:
+        break;
+    }
+    const Membership absorbing = node->kind == NodeKind::union_of ? Membership::yes : Membership::no;
+    Membership all = absorbing == Membership::yes ? Membership::no : Membership::yes;
+    for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size) {
+      const Membership one = of(operand);
+      if (one == absorbing) return one;
+      if (one == Membership::open) all = one;
+    }
+    return all;
+  }
+
+  Membership of_cell(const Node& cell) const {
+    Membership all = Membership::yes;
+    for (std::uint32_t leaf = cell.first_leaf; leaf != cell.end_leaf; ++leaf) {
+      const Membership one = of_leaf(region_.leaves[leaf]);
+      if (one == Membership::no) return one;
+      if (one == Membership::open) all = one;
+    }
+    return all;
+  }
+
+  // Delta is linear: what holds at both ends of [lower, upper] holds between them. Lemma clip-interval.
+  Membership of_leaf(const HalfSpace& leaf) const {
+    if (have_one_plane_as_written(leaf, face_)) return Membership::yes;
+    const auto& [n, d] = leaf;
+    const double error =
+        probe_.error_bound((std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2])) * (1 + 0x1p-50), std::abs(d));
+    if (!(error < greatest_usable_error)) return Membership::open;
+    const Vector &x = probe_.ends().first, &y = probe_.ends().last;
+    const double a = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d;
+    const double b = n[0] * y[0] + n[1] * y[1] + n[2] * y[2] - d;
+    const double at_lower = a + place_.lower * (b - a), at_upper = a + place_.upper * (b - a);
+    if (at_lower < -error && at_upper < -error) return Membership::yes;
+    if (at_lower > error && at_upper > error) return Membership::no;
+    return Membership::open;
+  }
+
+  const Expression& region_;
+  const Probe& probe_;
+  const HitPlace& place_;
+  const HalfSpace& face_;
+};
+
+}  // namespace
+
+FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
+  const std::uint32_t sure = place.face.material;
+  if (sure == no_material) return {std::nullopt, Stage::doubles};
+  if (sure != by_rules) return {MaterialIndex{sure}, Stage::doubles};
+  // Rules are linked from the innermost outwards, and the outermost that holds decides.
+  FaceMaterial found;
+  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
+    const MaterialRule& rule = scene.rules()[*at];
+    if (rule.region) {
+      const Expression& region = scene.regions()[*rule.region];
+      Membership member = RegionView(region, probe, place, place.face.half_space).of_whole();
+      if (member == Membership::open) {
+        found.stage = Stage::exact;
+        const exact_stage::ExpressionView view{region.nodes, region.leaves, {}};
+        member = exact_stage::contains(view, ask, place.crossed) ? Membership::yes : Membership::no;
+      }
+      if (member == Membership::no) continue;
+    }
+    found.material = rule.material;
+  }
+  return found;
+}
+
+std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
+                                                                const HitPlace& place) {
+  std::optional<MaterialIndex> material;
+  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
+    const MaterialRule& rule = scene.rules()[*at];
+    const Membership member =
+        rule.region
+            ? RegionView(scene.regions()[*rule.region], probe, place, place.face.half_space).of_whole()
+            : Membership::yes;
+    if (member == Membership::open) return std::nullopt;
+    if (member == Membership::yes) material = rule.material;
+  }
+  return material;
+}
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,33 @@
+#pragma once
+// The material of the face that an ask hits. Not installed.
+
+#include <optional>
+
+#include <groundtruth/fast/cell.hpp>
+#include <groundtruth/fast/scene.hpp>
+#include <groundtruth/fast/stage.hpp>
+#include <groundtruth/problem/ask.hpp>
+
+namespace groundtruth::fast {
+
+// Where a range meets the solid: at lower <= s <= upper, on the border of a face.
+struct HitPlace {
+  double lower = 0;
+  double upper = 1;
+  Face face;                         // the canonical one
+  std::optional<HalfSpace> crossed;  // one that the range crosses there; absent: the range's start
+};
+
+struct FaceMaterial {
+  std::optional<MaterialIndex> material;
+  Stage stage = Stage::doubles;  // exact if one region at least needed it
+};
+
+// The outermost rule over the leaf that holds at the place (SPEC section 2), exactly.
+FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place);
+
+// The same for any range, if doubles can tell.
+std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
+                                                                const HitPlace& place);
+
+}  // namespace groundtruth::fast

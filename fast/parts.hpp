@@ -1,0 +1,64 @@
+#pragma once
+// The solid as a union of parts, in the form in which they are searched.
+
+#include <cstdint>
+#include <vector>
+
+#include <groundtruth/fast/grid.hpp>
+#include <groundtruth/fast/hierarchy.hpp>
+#include <groundtruth/problem/shape.hpp>
+
+namespace groundtruth::fast {
+
+// Four half-spaces, their numbers side by side. Those that fill up a cell's last group hold everywhere.
+struct alignas(64) HalfSpaces4 {
+  double normal_x[4];
+  double normal_y[4];
+  double normal_z[4];
+  double offset[4];
+};
+
+inline constexpr Leaf no_leaf = 0xffffffff;
+
+// Of a face: a place in Scene::materials, or one of these.
+inline constexpr std::uint32_t by_rules = 0xffffffff;
+inline constexpr std::uint32_t no_material = 0xfffffffe;
+
+// An intersection of half-spaces. Places of its leaves are 4 * first_group, ... in PackedCells::leaves, which
+// need not be looked up if they are numbered on from first_leaf.
+struct Cell {
+  std::uint32_t first_group = 0;
+  std::uint32_t end_group = 0;
+  float normal_size = 0;  // >= |n_x| + |n_y| + |n_z| of each
+  float offset_size = 0;  // >= |d| of each
+  std::uint32_t first_leaf = no_leaf;
+  std::uint32_t material = by_rules;  // of all its faces
+};
+
+struct PackedCells {
+  std::vector<HalfSpaces4> groups;
+  std::vector<std::uint32_t> leaves;  // by place; no_leaf where a group is filled up
+  std::vector<Cell> cells;
+
+  // Appends a cell without half-spaces, then half-spaces to the last cell.
+  void begin_cell();
+  void add(const HalfSpace& half_space, Leaf leaf);
+};
+
+// A convex cell, by its place in Parts::cells; from there on a node of the solid, by its place in
+// Parts::general.
+using Part = std::uint32_t;
+
+struct Parts {
+  PackedCells cells;
+  std::vector<std::uint32_t> general;  // where these operands start in the solid's nodes
+  std::vector<Part> apart;             // not in the hierarchy: looked at one by one, first
+  BoxHierarchy hierarchy;              // over the others
+  Grid grid;                           // over the same ones, or none
+
+  std::size_t size() const { return cells.cells.size() + general.size(); }
+  bool is_cell(Part part) const { return part < cells.cells.size(); }
+  std::uint32_t node_of(Part part) const { return general[part - cells.cells.size()]; }
+};
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,16 @@
+#pragma once
+// How precisely a decision had to be looked at. Not installed.
+
+#include <cstdint>
+
+namespace groundtruth::fast {
+
+enum class Stage : std::uint8_t {
+  none,         // there was nothing to decide
+  doubles,      // with a proven bound
+  extended,     // in long double, with a proven bound
+  double_pair,  // in double-double, with a proven bound
+  exact
+};
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,130 @@
+#include <groundtruth/fast/exact_stage/entry.hpp>
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <groundtruth/fast/exact_stage/lattice.hpp>
+#include <groundtruth/fast/scene.hpp>
+#include <groundtruth/tests/fast/shapes.hpp>
+
+namespace groundtruth::fast::exact_stage {
+namespace {
+
+ExpressionView view_of(const fast::Scene& scene) { return {scene.solid().nodes, scene.solid().leaves, {}}; }
+
+std::optional<FirstPoint> first_point_of(const Shape& shape, const EntryAsk& ask) {
+  const fast::Scene scene = compile(groundtruth::Scene{{}, shape});
+  return first_point(view_of(scene), ask);
+}
+
+void expect_border(const std::optional<FirstPoint>& got, double lambda, std::size_t leaf) {
+  ASSERT_TRUE(got);
+  EXPECT_EQ(got->lambda, lambda);
+  EXPECT_EQ(got->leaf, leaf);
+}
+
+TEST(FastExactEntry, AnswersSubnormalAndLargestCoordinates) {
+  expect_border(first_point_of(half_space({1, 0, 0}, 0x1p-1074), {{0x3p-1074, 0, 0}, {-0x1p-1074, 0, 0}}),
+                0.5, 0);
+  const double largest = 0x1.fffffffffffffp1023;
+  expect_border(first_point_of(half_space({largest, largest, largest}, -largest),
+                               {{largest, largest, largest}, {-largest, -largest, -largest}}),
+                0.5, 0);
+  expect_border(first_point_of(half_space({0x1p-1074, 0, 0}, 0x1p-1074), {{3, 0, 0}, {-1, 0, 0}}), 0.5, 0);
+}
+
+TEST(FastExactEntry, SeesWhatNoDoubleSees) {
+  // 0.1 + 0.2 > 0.3 in exact doubles: by 2^-54 or so.
+  const HalfSpace plane{{1, 1, 0}, 0.3};
+  EXPECT_FALSE(first_point_of(half_space(plane.normal, plane.offset), {{1, 0.2, 0}, {0.1, 0.2, 0}}));
+  EXPECT_TRUE(first_point_of(half_space(plane.normal, std::nextafter(plane.offset, 1)),
+                             {{1, 0.2, 0}, {0.1, 0.2, 0}}));
+}
+
+TEST(FastExactEntry, TheSeamOfAbuttingBoxesIsNoFace) {
+  const Shape boxes = unite({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
+  expect_border(first_point_of(boxes, {{1, 0.5, 2}, {1, 0.5, 0}}), 0.5, 5);
+  expect_border(first_point_of(boxes, {{1.5, 0.5, 2}, {1.5, 0.5, 0}}), 0.5, 11);
+  const auto inside = first_point_of(boxes, {{1, 0.5, 0.5}, {3, 0.5, 0.5}});
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(inside->leaf, std::nullopt);
+}
+
+TEST(FastExactEntry, NumbersOfLeavesDecideWhichIsCanonical) {
+  const Shape edge = intersect({half_space({1, 0, 0}, 0), half_space({0, 1, 0}, 0)});
+  const fast::Scene scene = compile(groundtruth::Scene{{}, edge});
+  const EntryAsk onto_edge{{1, 1, 0}, {-1, -1, 0}};
+  ExpressionView view = view_of(scene);
+  EXPECT_EQ(first_point(view, onto_edge)->leaf, 0u);
+  const Leaf numbers[] = {7, 3};
+  view.numbers = numbers;
+  EXPECT_EQ(first_point(view, onto_edge)->leaf, 1u);
+}
+
+TEST(FastExactEntry, RangesStartAnywhere) {
+  const Shape slab = box({0, -1, -1}, {1, 1, 1});
+  const EntryAsk ask{{-1, 0, 0}, {0, 0, 0}, -0.5, 3};
+  expect_border(first_point_of(slab, ask), 1, 0);
+  EXPECT_FALSE(first_point_of(slab, {{-1, 0, 0}, {0, 0, 0}, 2.125, 3}));
+  expect_border(first_point_of(slab, {{-1, 0, 0}, {0, 0, 0}, 2, 2}), 2, 1);
+}
+
+TEST(FastExactEntry, MembershipIsAskedAtTheCrossingItself) {
+  const fast::Scene region = compile(groundtruth::Scene{{}, half_space({0, 1, 0}, 1.0 / 3)});
+  // At x = 0 the segment's y is 1/3 of a double that is no third.
+  const EntryAsk ask{{2, 1, 0}, {-1, 0, 0}};
+  const HalfSpace face{{1, 0, 0}, 0};
+  EXPECT_FALSE(contains(view_of(region), ask, face)) << "the double 1/3 is less than 1/3";
+  const fast::Scene more = compile(groundtruth::Scene{{}, half_space({0, 1, 0}, std::nextafter(1.0 / 3, 1))});
+  EXPECT_TRUE(contains(view_of(more), ask, face));
+  EXPECT_FALSE(contains(view_of(more), ask, std::nullopt)) << "the range's start";
+}
+
+TEST(FastExactEntry, CrossingsAreCorrectlyRounded) {
+  EXPECT_EQ(crossing({{1, 0, 0}, 0}, {{1, 0, 0}, {-2, 0, 0}}), 1.0 / 3);
+  EXPECT_EQ(crossing({{0, -3, 0}, 0}, {{0, 2, 0}, {0, -5, 0}}), 2.0 / 7);
+  EXPECT_EQ(crossing({{0, -3, 0}, 0}, {{0, -2, 0}, {0, -9, 0}}), -2.0 / 7);
+}
+
+class SmallSolids {
+ public:
+  explicit SmallSolids(std::uint64_t seed) : random_(seed) {}
+
+  double number() { return static_cast<double>(random_() % 5) - 2; }
+  Vector vector() { return {number(), number(), number()}; }
+  Shape shape(int depth) {
+    if (depth == 0 || random_() % 4 == 0) return half_space(vector(), number());
+    std::vector<Shape> operands;
+    for (std::size_t count = random_() % 4; count > 0; --count) operands.push_back(shape(depth - 1));
+    return random_() % 2 ? unite(operands) : intersect(operands);
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+// An operand that is never met, but whose offset is too long for machine integers.
+TEST(FastExactEntry, MachineIntegersAndLongOnesAgree) {
+  SmallSolids solids(1);
+  std::size_t borders = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Shape shape = solids.shape(3);
+    const fast::Scene scene = compile(groundtruth::Scene{{}, unite({shape, {Nothing{}}})});
+    const fast::Scene with_far_one =
+        compile(groundtruth::Scene{{}, unite({shape, half_space({0, 0, 1}, -0x1.123456789abcdp80)})});
+    const EntryAsk ask{solids.vector(), solids.vector(), 0, 1.5};
+    if (scene.solid().leaves.size() + 1 != with_far_one.solid().leaves.size()) continue;
+    ASSERT_TRUE(Lattice::of(ask, scene.solid().leaves));
+    ASSERT_FALSE(Lattice::of(ask, with_far_one.solid().leaves));
+    const auto machine = first_point(view_of(scene), ask), longer = first_point(view_of(with_far_one), ask);
+    ASSERT_EQ(machine.has_value(), longer.has_value());
+    if (!machine) continue;
+    ASSERT_EQ(machine->lambda, longer->lambda);
+    ASSERT_EQ(machine->leaf, longer->leaf);
+    borders += machine->leaf.has_value();
+  }
+  EXPECT_GT(borders, 2000u);
+}
+
+}  // namespace
+}  // namespace groundtruth::fast::exact_stage

@@ -1,0 +1,152 @@
+// Leaving out never changes an answer; what is left out is reported.
+
+#include <algorithm>
+#include <bit>
+
+#include <gtest/gtest.h>
+#include <groundtruth/cases/ask_source.hpp>
+#include <groundtruth/cases/builtin_scenes.hpp>
+#include <groundtruth/cases/random.hpp>
+#include <groundtruth/cases/scene_builders.hpp>
+#include <groundtruth/fast/entry_point.hpp>
+#include <groundtruth/tests/fast/shapes.hpp>
+
+namespace groundtruth {
+namespace {
+
+using fast::Simplification;
+
+std::vector<Scene> scenes() {
+  std::vector<Scene> all;
+  for (const char* name : {"house", "ramp", "degenerate", "nested", "far-town"})
+    for (Scene& scene : cases::find_builtin_scene(name)->build()) all.push_back(std::move(scene));
+  all.push_back(cases::runway_of(20));
+  all.push_back(cases::hills_of(5));
+  for (std::uint64_t seed = 0; seed < 40; ++seed) all.push_back(cases::random_nested(seed, 6, 4));
+  return all;
+}
+
+std::vector<EntryAsk> asks_about(const Scene& scene, std::uint64_t seed, std::size_t count) {
+  cases::AskSource source(scene, seed, {1, 0, 0});
+  std::vector<EntryAsk> asks;
+  for (std::size_t i = 0; i < count; ++i) asks.push_back(std::get<EntryAsk>(source.next().ask));
+  return asks;
+}
+
+class FastSimplification : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(FastSimplification, ChangesNoAnswer) {
+  const auto what = static_cast<Simplification>(GetParam());
+  std::uint64_t seed = 1;
+  for (const Scene& scene : scenes()) {
+    const fast::Scene with = fast::compile(scene);
+    const fast::Scene without = fast::compile(scene, fast::CompileOptions().leave_off(what));
+    for (const EntryAsk& ask : asks_about(scene, ++seed, 150))
+      ASSERT_EQ(fast::entry_point(with, ask), fast::entry_point(without, ask))
+          << name_of(what) << ", scene " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, FastSimplification,
+                         testing::Range<std::size_t>(0, fast::number_of_simplifications));
+
+std::size_t left_out(const Shape& shape, Simplification what) {
+  const fast::Scene scene =
+      fast::compile(Scene{{{"dry", {}, std::nullopt}, {"wet", {}, std::nullopt}}, shape});
+  std::size_t count = 0;
+  for (const fast::LeftOut& one : scene.left_out())
+    if (one.what == what) count += one.count;
+  return count;
+}
+
+TEST(FastLeftOut, CountsConstants) {
+  EXPECT_GT(left_out(unite({half_space({1, 0, 0}, 0), {Nothing{}}}), Simplification::constants), 0u);
+  EXPECT_EQ(left_out(half_space({1, 0, 0}, 0), Simplification::constants), 0u);
+}
+
+TEST(FastLeftOut, CountsDuplicatesEmptyAndBuriedParts) {
+  const Shape ground = half_space({0, 0, 1}, 0), house = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(left_out(unite({house, ground, house}), Simplification::duplicates), 1u);
+  EXPECT_EQ(left_out(unite({house, ground, box({0, 0, 1}, {1, 1, 0.5})}), Simplification::empty_cells), 1u);
+  EXPECT_EQ(left_out(unite({house, ground, box({0, 0, -2}, {1, 1, -1})}), Simplification::buried_parts), 1u);
+  EXPECT_EQ(left_out(unite({house, ground, box({0, 0, -2}, {1, 1, 0})}), Simplification::buried_parts), 0u);
+}
+
+TEST(FastLeftOut, CountsRedundantHalfSpacesOnlyIfTheCellStaysAwayFromThem) {
+  const auto cut = [](double offset) {
+    return intersect({box({0, 0, 0}, {1, 1, 1}), half_space({1, 1, 0}, offset)});
+  };
+  EXPECT_EQ(left_out(cut(2.5), Simplification::redundant_half_spaces), 1u);
+  EXPECT_EQ(left_out(cut(2), Simplification::redundant_half_spaces), 0u);
+}
+
+TEST(FastLeftOut, CountsRulesUnderAMaterial) {
+  const Shape ground = half_space({0, 0, 1}, 0);
+  EXPECT_EQ(left_out(cover(0, cover(1, ground)), Simplification::hidden_rules), 1u);
+  EXPECT_EQ(left_out(paint(0, ground, cover(1, ground)), Simplification::hidden_rules), 0u);
+}
+
+TEST(FastLeftOut, NamesTheIndex) {
+  const auto chosen = [](const Scene& scene, Simplification what) {
+    const auto all = fast::compile(scene).left_out();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& one) { return one.what == what && one.count > 0; });
+  };
+  EXPECT_FALSE(chosen(cases::house(), Simplification::hierarchy));
+  EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::hierarchy));
+  EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::grid));
+}
+
+TEST(FastBulk, GivesTheAnswersOfOneByOne) {
+  for (const Scene& scene :
+       {cases::house(), cases::town_of(60, 1), cases::hills_of(6), cases::runway_of(50)}) {
+    const fast::Scene compiled = fast::compile(scene);
+    const auto asks = asks_about(scene, 5, 1003);
+    std::vector<EntryAnswer> answers(asks.size());
+    fast::entry_points(compiled, asks, answers);
+    for (std::size_t i = 0; i < asks.size(); ++i)
+      ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
+  }
+}
+
+class Hash {
+ public:
+  void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3; }
+  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+  void add(const Vector& v) {
+    for (const double x : v) add(x);
+  }
+  void add(const EntryAnswer& answer) {
+    add(std::uint64_t{answer.index()});
+    if (const auto* inside = std::get_if<Inside>(&answer)) add(inside->lambda);
+    const auto* border = std::get_if<Border>(&answer);
+    if (!border) return;
+    add(border->lambda);
+    add(std::uint64_t{border->leaf});
+    add(border->normal_in_world);
+    add(border->material ? std::uint64_t{*border->material} : ~std::uint64_t{});
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+// Over g++ and clang++, -O0 to -O3, and processors: the asks and the answers are these bits.
+TEST(FastBits, AreTheSameEverywhere) {
+  Hash asked, answered;
+  std::uint64_t seed = 100;
+  for (const Scene& scene : scenes()) {
+    const fast::Scene compiled = fast::compile(scene);
+    for (const EntryAsk& ask : asks_about(scene, ++seed, 1000)) {
+      asked.add(ask.from);
+      asked.add(ask.to);
+      answered.add(fast::entry_point(compiled, ask));
+    }
+  }
+  EXPECT_EQ(asked.value(), 242138992694752446u) << "the asks themselves differ";
+  EXPECT_EQ(answered.value(), 17347377618922684715u);
+}
+
+}  // namespace
+}  // namespace groundtruth

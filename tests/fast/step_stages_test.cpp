@@ -1,0 +1,160 @@
+#include <groundtruth/fast/step_decided.hpp>
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <groundtruth/fast/exact_stage/step.hpp>
+#include <groundtruth/fast/step_ground.hpp>
+#include <groundtruth/tests/fast/shapes.hpp>
+
+namespace groundtruth::fast {
+namespace {
+
+fast::Scene ground(Shape shape) {
+  const Friction rubber{0.5, 0.25};
+  return compile(groundtruth::Scene{{{"dry", {{"rubber", rubber}}, 1e7}}, cover(0, std::move(shape))});
+}
+fast::Scene flat() { return ground(half_space({0, 0, 1}, 0)); }
+fast::Scene runway() {
+  std::vector<Shape> boxes;
+  for (int i = 0; i < 50; ++i) boxes.push_back(box({1.0 * i, -5, -1}, {i + 1.0, 5, 0}));
+  return ground(unite(std::move(boxes)));
+}
+
+StepAnswer exactly(const fast::Scene& scene, const StepAsk& ask) {
+  SolidAlongStrut along(scene);
+  return exact_stage::step(scene, along, ask);
+}
+
+void expect_stages(const fast::Scene& scene, const StepAsk& ask, Stage decisions, Stage numbers) {
+  const DecidedStep got = decide_step(scene, ask);
+  EXPECT_EQ(got.decisions, decisions);
+  EXPECT_EQ(got.numbers, numbers);
+  EXPECT_EQ(got.answer, exactly(scene, ask));
+}
+
+// Half a metre above the ground, upside down, not quite level.
+StepAsk above_ground() {
+  StepAsk ask;
+  ask.wheel = {.k_xy = -1e5,
+               .k_z = -2e5,
+               .d_xy = -1e3,
+               .d_z = -1.5e3,
+               .z_min = 0.2,
+               .z_zero = 0.7,
+               .z_max = 0.7,
+               .tyre = "rubber"};
+  ask.frame.position_in_world = {3.3, 0.2, 0.55};
+  ask.frame.world_from_wheel = {0.01, 1, 0.02, -0.03};
+  ask.frame.velocity_in_world = {1.1, 0.1, -0.2};
+  ask.brake = 300;
+  ask.h = 0.001;
+  return ask;
+}
+
+StepAsk in_contact(Vector pebble) {
+  StepAsk ask = above_ground();
+  ask.state = Contact{Grip::slip, pebble, {0.1, 0.2, 0}, {0, 0, 1}, 0.5, 0.25, 1e7};
+  return ask;
+}
+
+TEST(FastStepStages, OrdinaryStepsAreDecidedInDoublesAndComputedInPairs) {
+  expect_stages(flat(), above_ground(), Stage::doubles, Stage::double_pair);
+  expect_stages(flat(), in_contact({3.3, 0.2, 0}), Stage::doubles, Stage::double_pair);
+  expect_stages(runway(), in_contact({3.5, 0.3, 0}), Stage::doubles, Stage::double_pair);
+}
+
+TEST(FastStepStages, LimitsAreDecidedExactly) {
+  StepAsk ask = above_ground();
+  ask.frame.world_from_wheel = {0, 1, 0, 0};
+  ask.wheel.z_min = 0.25;
+  ask.wheel.z_zero = ask.wheel.z_max = 0.75;
+  for (const double height : {0.25, 0.75}) {
+    ask.frame.position_in_world[2] = height;
+    expect_stages(flat(), ask, Stage::exact, Stage::exact);
+  }
+  StepAsk pressed = in_contact({3.3, 0.2, 0});
+  pressed.frame = ask.frame;
+  pressed.frame.velocity_in_world = {};
+  pressed.wheel = ask.wheel;
+  pressed.wheel.d_xy = pressed.wheel.d_z = 0;
+  pressed.frame.position_in_world = {3.3, 0.2, 0.5};
+  std::get<Contact>(pressed.state).maximum_force = 5e4;
+  expect_stages(flat(), pressed, Stage::exact, Stage::exact);
+}
+
+TEST(FastStepStages, NearALimitPairsDecide) {
+  StepAsk ask = in_contact({3.3, 0.2, 0});
+  ask.frame.world_from_wheel = {0, 1, 0, 0};
+  ask.wheel.z_max = ask.wheel.z_zero = 0.55;
+  ask.frame.position_in_world[2] = std::nextafter(0.55, 1);
+  expect_stages(flat(), ask, Stage::double_pair, Stage::double_pair);
+}
+
+TEST(FastStepStages, ASeamIsLookedAtExactly) {
+  StepAsk ask = above_ground();
+  ask.frame.world_from_wheel = {0, 1, 0, 0};
+  ask.frame.position_in_world[0] = 3;
+  expect_stages(runway(), ask, Stage::exact, Stage::exact);
+}
+
+class RandomSteps {
+ public:
+  explicit RandomSteps(std::uint64_t seed) : random_(seed) {}
+
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  // Exact often enough for ties.
+  double near(double low, double high) {
+    const double x = between(low, high);
+    return random_() % 4 ? x : std::round(x * 8) / 8;
+  }
+  Vector vector(double size) { return {near(-size, size), near(-size, size), near(-size, size)}; }
+
+  StepAsk ask() {
+    StepAsk ask = above_ground();
+    ask.wheel.relocation = random_() % 2 ? Relocation::spring : Relocation::return_mapping;
+    ask.wheel.d_xy = -near(0, 2000);
+    ask.frame.position_in_world = {near(2, 40), near(-4, 4), near(0.1, 0.9)};
+    ask.frame.world_from_wheel = {near(-0.2, 0.2), near(-1, 1), near(-1, 1), near(-0.2, 0.2)};
+    if (ask.frame.world_from_wheel[1] == 0) ask.frame.world_from_wheel[1] = 1;
+    if (random_() % 4 == 0) {  // over a seam of the runway
+      ask.frame.world_from_wheel = {0, 1, 0, 0};
+      ask.frame.position_in_world[0] = std::round(ask.frame.position_in_world[0]);
+    }
+    ask.frame.velocity_in_world = vector(2);
+    ask.frame.angular_velocity_in_world = vector(1);
+    ask.brake = near(0, 4000);
+    if (random_() % 4 == 0) return ask;
+    const Vector& b = ask.frame.position_in_world;
+    ask.state = Contact{random_() % 2 ? Grip::stick : Grip::slip,
+                        {b[0] + near(-0.1, 0.1), b[1] + near(-0.1, 0.1), 0},
+                        vector(1),
+                        random_() % 2 ? Vector{0, 0, 1} : Vector{near(-0.5, 0.5), 0.25, 1},
+                        0.5,
+                        0.25,
+                        1e7};
+    return ask;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+TEST(FastStepStages, AgreeWithTheExactOne) {
+  RandomSteps steps(1);
+  const fast::Scene scene = runway();
+  std::size_t counts[5] = {};
+  for (int i = 0; i < 6000; ++i) {
+    const StepAsk ask = steps.ask();
+    const DecidedStep got = decide_step(scene, ask);
+    ++counts[static_cast<std::size_t>(got.decisions)];
+    ASSERT_EQ(got.answer, exactly(scene, ask)) << i;
+  }
+  EXPECT_GT(counts[static_cast<std::size_t>(Stage::doubles)], 3000u);
+  EXPECT_GT(counts[static_cast<std::size_t>(Stage::exact)], 10u);
+}
+
+}  // namespace
+}  // namespace groundtruth::fast
