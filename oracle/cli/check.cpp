@@ -90,11 +90,14 @@ report::CheckedScene check(const NamedPack& named, const Options& options, std::
   return checked;
 }
 
-std::uint64_t disagreements_of(const report::CheckedScene& checked, std::string_view engine) {
+// Of the second witness and of the fast engine: both claim to say what `exact` says. The others do not.
+std::uint64_t broken_claims(const report::CheckedScene& checked) {
+  std::uint64_t broken = 0;
   for (std::size_t i = 0; i < checked.engines.size(); ++i) {
-    if (checked.engines[i] == engine) return checked.tallies[i].disagreements();
+    const bool claims = checked.engines[i] == "definition" || checked.engines[i] == "fast";
+    if (claims) broken += checked.tallies[i].disagreements();
   }
-  return 0;
+  return broken;
 }
 
 void print(const report::CheckedScene& checked, const Options& options) {
@@ -123,12 +126,12 @@ Exit run(const Options& options) {
     bar.clear();
     print(checked, options);
     std::fflush(stdout);
-    wrong += disagreements_of(checked, "definition");
+    wrong += broken_claims(checked);
   }
   if (!options.json) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    fmt::print("exact and definition {}; {:.1f} s\n",
-               wrong == 0 ? "agree" : fmt::format("DISAGREE on {} asks", wrong), seconds.count());
+    fmt::print("exact, definition and fast {}; {:.1f} s\n",
+               wrong == 0 ? "agree" : fmt::format("DISAGREE on {} answers", wrong), seconds.count());
   }
   return wrong == 0 ? Exit::agrees : Exit::disagrees;
 }
