@@ -10,7 +10,6 @@ namespace mp = boost::multiprecision;
 
 constexpr int mantissa_bits = std::numeric_limits<double>::digits;                 // 53
 constexpr long smallest_exponent = std::numeric_limits<double>::min_exponent - 1;  // -1022
-constexpr double largest = std::numeric_limits<double>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Integer power_of_two(unsigned long exponent) { return Integer(1) << exponent; }
