@@ -39,7 +39,7 @@ Grid lay_out(const Box& scene, std::size_t parts) {
   Grid grid;
   const auto width = [&](std::size_t axis) { return scene.high[axis] - scene.low[axis]; };
   std::size_t thinnest = 2;
-  for (const std::size_t axis : {1, 0})
+  for (const std::size_t axis : {std::size_t{1}, std::size_t{0}})
     if (width(axis) < width(thinnest)) thinnest = axis;
   grid.across = thinnest == 0 ? 1 : 0;
   grid.along = thinnest == 2 ? 1 : 2;

@@ -70,7 +70,7 @@ class HierarchyBuilder {
         high[axis] = std::max(high[axis], centres_[part][axis]);
       }
     std::size_t widest = 0;
-    for (const std::size_t axis : {1, 2})
+    for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
       if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
     const std::size_t half = (parts.size() + capacity - 1) / capacity / 2 * capacity;
     std::nth_element(
