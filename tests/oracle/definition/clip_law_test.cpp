@@ -59,10 +59,13 @@ RC_GTEST_PROP(ClipLaw, ForceIsWithinHalfAnUlpOfTheCases, ()) {
   RC_PRE(std::holds_alternative<Clipped>(answer));
   const Vector& got = std::get<Clipped>(answer).force_in_wheel;
   const Floats expected = by_cases(ask);
+  // What 100 digits leave where terms of this size cancel.
+  const Vector& force = ask.force_in_wheel;
+  const Float noise = Float("1e-90") * (std::fabs(force[0]) + std::fabs(force[1]) + std::fabs(force[2]));
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = std::fabs(got[i]);
     const Float half_ulp = (Float(std::nextafter(size, INFINITY)) - Float(size)) / 2;
-    RC_ASSERT(abs(Float(got[i]) - expected[i]) <= half_ulp * (1 + Float("1e-60")));
+    RC_ASSERT(abs(Float(got[i]) - expected[i]) <= half_ulp * (1 + Float("1e-60")) + noise);
   }
 }
 
