@@ -2,6 +2,7 @@
 // for instance to replay a seed, or to let it search for longer.
 
 #include <cstdlib>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,11 @@ namespace {
 
 class MoreCases : public ::testing::Environment {
  public:
-  void SetUp() override { setenv("RC_PARAMS", "max_success=300", 0); }
+  void SetUp() override {
+    const char* given = std::getenv("RC_PARAMS");
+    const std::string params = std::string("max_success=300 ") + (given != nullptr ? given : "");
+    setenv("RC_PARAMS", params.c_str(), 1);
+  }
 };
 
 const auto* const more_cases = ::testing::AddGlobalTestEnvironment(new MoreCases);
