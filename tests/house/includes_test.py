@@ -17,7 +17,7 @@ ALLOWED = {
     "fast": {"problem"},
     "oracle/definition": {"problem"},
     "oracle/cases": {"problem"},
-    "oracle/judge": {"problem"},
+    "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/report": {"campaign", "judge", "problem"},
@@ -31,10 +31,10 @@ TOP_LEVEL = {
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
     "rapidjson/": {"reference/text", "oracle/report"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/report"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report"},
 }
 
 
