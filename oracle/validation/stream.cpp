@@ -1,0 +1,42 @@
+#include <groundtruth/validation/stream.hpp>
+
+#include <utility>
+
+#include <groundtruth/text/scene_text.hpp>
+
+namespace groundtruth::validation {
+namespace {
+
+constexpr std::size_t largest_batch = 16;
+
+class GivenCases : public Stream {
+ public:
+  explicit GivenCases(std::vector<cases::Case> given) : given_(std::move(given)) {}
+
+  std::optional<Batch> next() override {
+    if (next_ == given_.size()) return std::nullopt;
+    const std::string scene = write_scene(given_[next_].scene);
+    Batch batch{std::make_shared<const Scene>(given_[next_].scene), {}, {}};
+    do {
+      batch.ids.push_back(given_[next_].id);
+      batch.asks.push_back(given_[next_].ask);
+      ++next_;
+    } while (next_ < given_.size() && batch.asks.size() < largest_batch &&
+             write_scene(given_[next_].scene) == scene);
+    return batch;
+  }
+
+  void learn(std::span<const Finding>) override {}
+
+ private:
+  std::vector<cases::Case> given_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Stream> stream_of(std::vector<cases::Case> given) {
+  return std::make_unique<GivenCases>(std::move(given));
+}
+
+}  // namespace groundtruth::validation
