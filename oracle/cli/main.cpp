@@ -15,6 +15,7 @@ int run(int argc, char** argv) {
   program.failure_message(CLI::FailureMessage::help);
   const Subcommand subcommands[] = {groundtruth::cli::add_answer(program),
                                     groundtruth::cli::add_check(program),
+                                    groundtruth::cli::add_judge(program),
                                     groundtruth::cli::add_validate(program)};
   try {
     program.parse(argc, argv);

@@ -104,8 +104,9 @@ class EntryWeighing {
     const bool strict = tolerance_.faces == Faces::canonical && canonical != nullptr;
     if (strict ? border.leaf != canonical->leaf : !is_leaf_near_point(border.leaf)) return wrong_leaf();
     const double length = std::sqrt(capped(dot(way_, way_)));
-    const Around around{along(rational(ask_.from), rational(border.lambda), way_),
-                        tolerance_.metres + allowance() * length};
+    const Around around{
+        along(rational(ask_.from), rational(border.lambda), way_),
+        std::min(tolerance_.metres + allowance() * length, std::numeric_limits<double>::max())};
     return weigh_face(materials_of(truth_.scene().shape, border.leaf, around));
   }
 

@@ -7,28 +7,11 @@
 
 #include "direction.hpp"
 #include "spread.hpp"
+#include "step_kinds.hpp"
 #include "wording.hpp"
 
 namespace groundtruth::judge {
 namespace {
-
-const Contact* contact_in(const StepAnswer& answer) {
-  const auto* stepped = std::get_if<Stepped>(&answer);
-  return stepped == nullptr ? nullptr : std::get_if<Contact>(&stepped->state);
-}
-
-bool are_of_one_kind(const StepAnswer& a, const StepAnswer& b) {
-  if (a.index() != b.index()) return false;
-  if (const auto* failure = std::get_if<StepFailure>(&a)) return *failure == std::get<StepFailure>(b);
-  const Contact* in_a = contact_in(a);
-  const Contact* in_b = contact_in(b);
-  if ((in_a == nullptr) != (in_b == nullptr)) return false;
-  return in_a == nullptr || in_a->grip == in_b->grip;
-}
-
-bool are_close(double got, double expected, double relative) {
-  return std::fabs(static_cast<long double>(got) - expected) <= allowed(relative, std::fabs(expected));
-}
 
 Verdict wrong(Difference difference, std::string explanation) {
   Verdict verdict;
@@ -55,14 +38,6 @@ Verdict far(const char* quantity, const char* unit, const Vector& got, const Vec
   return verdict;
 }
 
-bool has_friction_of(const Contact& got, const Contact& expected, double relative) {
-  const bool limits =
-      got.maximum_force.has_value() == expected.maximum_force.has_value() &&
-      (!got.maximum_force || are_close(*got.maximum_force, *expected.maximum_force, relative));
-  return limits && are_close(got.static_friction, expected.static_friction, relative) &&
-         are_close(got.dynamic_friction, expected.dynamic_friction, relative);
-}
-
 // How far the landing may be off: its terms' tolerance, magnified where the strut meets the ground aslant.
 long double landing_slack(const Tolerance& tolerance, const StepScales& scales, const StepAsk& ask,
                           const Contact& expected) {
@@ -87,7 +62,7 @@ Verdict StepMatch::against(const StepAnswer& got, const StepAnswer& expected) co
   }
   const Vector& force = std::get<Stepped>(expected).force_on_frame_in_world;
   const long double apart = Spread(force).distance_to(stepped->force_on_frame_in_world);
-  if (apart <= allowed(truth_.tolerance().relative_number, scales_.force)) return {};
+  if (apart <= allowed(truth_.tolerance().relative_number, scales_.clipped)) return {};
   return far("force", "N", stepped->force_on_frame_in_world, force, &Verdict::newtons);
 }
 
@@ -102,9 +77,9 @@ Verdict StepMatch::of_contacts(const Contact& got, const Contact& expected) cons
   if (!has_friction_of(got, expected, tolerance.relative_number)) {
     return wrong(Difference::material, fmt::format("{} -> {}", frictions(got), frictions(expected)));
   }
-  const bool stays = got.grip == Grip::stick && std::holds_alternative<Contact>(ask_.state);
-  const long double slack = stays ? allowed(tolerance.relative_number, length(expected.pebble_in_world))
-                                  : landing_slack(tolerance, scales_, ask_, expected);
+  const long double slack = is_kept(got)
+                                ? allowed(tolerance.relative_number, length(expected.pebble_in_world))
+                                : landing_slack(tolerance, scales_, ask_, expected);
   if (Spread(expected.pebble_in_world).distance_to(got.pebble_in_world) > slack) {
     return far("pebble", "m", got.pebble_in_world, expected.pebble_in_world, &Verdict::metres);
   }

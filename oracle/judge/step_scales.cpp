@@ -56,11 +56,13 @@ StepScales scales_of(const StepAsk& ask) {
                       std::fabs(static_cast<Real>(wheel.k_z) * wheel.z_zero);
   const Real damper = std::max(d_xy, static_cast<Real>(std::fabs(wheel.d_z))) * speed;
   const double friction = contact->grip == Grip::stick ? contact->static_friction : contact->dynamic_friction;
-  scales.force = (spring + damper) * std::max(1.0, friction);
+  scales.force = spring + damper;
+  scales.clipped = scales.force * std::max(1.0, friction);
   scales.length = std::max(pebble, scales.length);
   const bool mapping = wheel.relocation == Relocation::return_mapping;
-  scales.landing += mapping ? (scales.force + d_xy / ask.h * pebble + d_xy * speed) / (k_xy + d_xy / ask.h)
-                            : scales.force / k_xy;
+  scales.stiffness = mapping ? k_xy + d_xy / ask.h : k_xy;
+  const Real of_mapping = mapping ? d_xy / ask.h * pebble + d_xy * speed : 0;
+  scales.landing += (scales.clipped + of_mapping) / scales.stiffness;
   scales.velocity = std::max(length(contact->pebble_velocity_in_world),
                              (scales.landing + length(contact->pebble_in_world)) / ask.h);
   return scales;
