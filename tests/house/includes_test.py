@@ -32,9 +32,10 @@ LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
-    "rapidjson/": {"reference/text", "oracle/report"},
+    # In oracle/implementations for its template only.
+    "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation"},
 }
 
 
