@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ inline constexpr std::size_t number_of_outcomes = 6;
 
 std::string_view name_of(Outcome outcome);
 std::optional<Outcome> outcome_named(std::string_view name);
+
+inline bool is_failure(Outcome outcome) {
+  return outcome != Outcome::accepted && outcome != Outcome::skipped;
+}
 
 struct Finding {
   std::uint64_t ask_number = 0;  // in its stream, from 0

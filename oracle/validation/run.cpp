@@ -40,33 +40,27 @@ class Run {
  private:
   void follow(std::size_t number, Stream& stream, implementations::Subject& subject) {
     std::uint64_t asked = 0;
-    std::uint64_t failed = 0;
     while (!is_over()) {
-      if (plan_.failures_per_stream > 0 && failed >= plan_.failures_per_stream) return;
       const std::optional<Batch> batch = stream.next();
       if (!batch) return;
       std::vector<Finding> findings = examine(*batch, plan_.kinds, plan_.tolerance, subject);
       if (is_interrupted()) return;  // the interrupt may have reached the implementation as well
       for (Finding& finding : findings) finding.ask_number = asked++;
       stream.learn(findings);
-      failed += note(number, *batch, findings);
+      note(number, *batch, findings);
     }
   }
 
-  // How many of them failed.
-  std::uint64_t note(std::size_t stream, const Batch& batch, const std::vector<Finding>& findings) {
+  void note(std::size_t stream, const Batch& batch, const std::vector<Finding>& findings) {
     const std::lock_guard lock(mutex_);
-    std::uint64_t failed = 0;
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const Outcome outcome = findings[i].outcome;
       result_.tally.add(kind_of_ask(batch.asks[i]), outcome);
-      if (outcome == Outcome::accepted || outcome == Outcome::skipped) continue;
-      ++failed;
+      if (!is_failure(outcome)) continue;
       result_.failures.push_back({stream, {batch.ids[i], *batch.scene, batch.asks[i], {}, {}}, findings[i]});
       watch_.failed(result_.failures.back());
     }
     watch_.judged(result_.tally.judged());
-    return failed;
   }
 
   bool is_interrupted() const { return watch_.interrupted != nullptr && *watch_.interrupted; }

@@ -22,8 +22,6 @@ struct RunPlan {
   Kinds kinds{true, true, true};
   unsigned jobs = 1;
   std::optional<std::chrono::milliseconds> time;  // no batch begins later
-  // A stream ends with the batch in which it has failed so often; 0: never.
-  std::uint64_t failures_per_stream = 10;
   // The run ends when so many asks have hung, as each costs the whole patience.
   std::uint64_t most_hung = 5;
 };

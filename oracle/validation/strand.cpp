@@ -30,7 +30,7 @@ class Strand : public Stream {
       : plan_(plan), random_(cases::seed_of_part(~plan.seed, plan.number)) {}
 
   std::optional<Batch> next() override {
-    if (given_ == plan_.cases) return std::nullopt;
+    if (given_ == plan_.cases || has_failed_enough()) return std::nullopt;
     const bool breeds = !parents_.empty() && random_.below(5) < 2;
     Batch batch = breeds ? offspring_of(random_.pick(parents_)) : fresh();
     const std::uint64_t left = plan_.cases - given_;
@@ -47,8 +47,10 @@ class Strand : public Stream {
   void learn(std::span<const Finding> findings) override {
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const Finding& finding = findings[i];
+      failures_ += is_failure(finding.outcome);
       const bool is_new = seen_.insert(circumstances_of(last_.asks[i], finding)).second;
-      if (!is_new || names_[i].changes.size() == most_changes) continue;
+      if (!is_new || finding.outcome == Outcome::skipped || names_[i].changes.size() == most_changes)
+        continue;
       Parent& parent = parents_.emplace_back();
       parent.name = names_[i];
       parent.scene = last_.scene;
@@ -59,6 +61,8 @@ class Strand : public Stream {
   }
 
  private:
+  bool has_failed_enough() const { return plan_.most_failures > 0 && failures_ >= plan_.most_failures; }
+
   Kind some_kind() {
     const Shares& shares = plan_.shares;
     const std::uint64_t drawn = random_.below(std::uint64_t{shares.entry} + shares.clip + shares.step);
@@ -99,6 +103,7 @@ class Strand : public Stream {
   StrandPlan plan_;
   cases::Random random_;
   std::uint64_t given_ = 0;
+  std::uint64_t failures_ = 0;
   std::uint64_t fresh_batches_ = 0;
   std::vector<CaseName> names_;  // of the last batch
   Batch last_;

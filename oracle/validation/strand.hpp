@@ -19,6 +19,8 @@ struct StrandPlan {
   std::uint64_t seed = 1;
   std::uint64_t number = 0;
   std::uint64_t cases = 0;
+  // It ends with the batch in which it has failed so often; 0: never.
+  std::uint64_t most_failures = 0;
   Shares shares;
 };
 

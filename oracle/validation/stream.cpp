@@ -11,7 +11,8 @@ constexpr std::size_t largest_batch = 16;
 
 class GivenCases : public Stream {
  public:
-  explicit GivenCases(std::vector<cases::Case> given) : given_(std::move(given)) {}
+  GivenCases(std::vector<cases::Case> given, Listen listen)
+      : given_(std::move(given)), listen_(std::move(listen)) {}
 
   std::optional<Batch> next() override {
     if (next_ == given_.size()) return std::nullopt;
@@ -26,17 +27,21 @@ class GivenCases : public Stream {
     return batch;
   }
 
-  void learn(std::span<const Finding>) override {}
+  void learn(std::span<const Finding> findings) override {
+    const std::size_t first = next_ - findings.size();
+    for (std::size_t i = 0; i < findings.size(); ++i) listen_(given_[first + i].id, findings[i]);
+  }
 
  private:
   std::vector<cases::Case> given_;
+  Listen listen_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<Stream> stream_of(std::vector<cases::Case> given) {
-  return std::make_unique<GivenCases>(std::move(given));
+std::unique_ptr<Stream> stream_of(std::vector<cases::Case> given, Listen listen) {
+  return std::make_unique<GivenCases>(std::move(given), std::move(listen));
 }
 
 }  // namespace groundtruth::validation

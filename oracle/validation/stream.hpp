@@ -1,6 +1,7 @@
 #pragma once
 // Cases to be put to an implementation, a batch about one scene at a time.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,7 +29,11 @@ class Stream {
   virtual void learn(std::span<const Finding> findings) = 0;
 };
 
+// Told of a case, by its id, and what came of it.
+using Listen = std::function<void(const std::string&, const Finding&)>;
+
 // Given cases, in their order; neighbours with one scene make a batch.
-std::unique_ptr<Stream> stream_of(std::vector<cases::Case> given);
+std::unique_ptr<Stream> stream_of(
+    std::vector<cases::Case> given, Listen listen = [](const std::string&, const Finding&) {});
 
 }  // namespace groundtruth::validation

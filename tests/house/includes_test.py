@@ -20,8 +20,9 @@ ALLOWED = {
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "judge", "problem"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
+    "oracle/validation": {"problem", "text", "judge", "cases", "implementations"},
+    "oracle/report": {"campaign", "judge", "problem", "validation"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
