@@ -64,6 +64,21 @@ Shape wedge(Random& random) {
   return met_or_joined(std::move(planes), random);
 }
 
+Shape parallel_planes(Random& random) {
+  const Vector normal = random.one_in(2) ? lattice_normal(random) : upward_normal(random);
+  constexpr double lengths[] = {0.5, 1, 1, 2, 3, 5};
+  std::vector<Shape> planes;
+  const std::uint64_t count = 2 + random.below(3);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const double side = random.one_in(4) ? -1 : 1;
+    const Vector scaled = times(side * random.pick(lengths), normal);
+    const double offset = random.dyadic(-3, 5, 1);
+    planes.push_back(of_some_material(half_space(scaled[0], scaled[1], scaled[2], offset), random));
+  }
+  if (random.one_in(2)) planes.push_back(of_some_material(lattice_plane(random), random));
+  return met_or_joined(std::move(planes), random);
+}
+
 Shape spike(Random& random) {
   const Vector apex = lattice_point(random);
   std::vector<Shape> planes;

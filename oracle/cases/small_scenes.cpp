@@ -13,9 +13,10 @@
 namespace groundtruth::cases {
 namespace {
 
-constexpr std::array makers{seam_row,    slab_stack,     tiled_corner, ground_with_things, wedge,
-                            spike,       thin_sheets,    oblique_cell, nested_expression,  wide_expression,
-                            notched_box, repeated_shape, odd_operands, ground_with_things, nested_expression};
+constexpr std::array makers{
+    seam_row,       slab_stack,   tiled_corner,       ground_with_things, wedge,           parallel_planes,
+    spike,          thin_sheets,  oblique_cell,       nested_expression,  wide_expression, notched_box,
+    repeated_shape, odd_operands, ground_with_things, nested_expression};
 
 Shape wrapped(Shape shape, Random& random) {
   const std::uint64_t depth = 1 + random.below(5);
@@ -29,6 +30,16 @@ Shape wrapped(Shape shape, Random& random) {
   return shape;
 }
 
+// The same solid, each plane at a length of its own; exactly, where numbers are short.
+Shape rescaled(const Shape& shape, Random& random) {
+  constexpr double lengths[] = {1, 3, 5, 0.5, 0x1p-12, 0x1p+12};
+  return with_each_plane(shape, [&](const HalfSpace& plane) {
+    const double length = random.pick(lengths);
+    const Vector& n = plane.normal;
+    return HalfSpace{{length * n[0], length * n[1], length * n[2]}, length * plane.offset};
+  });
+}
+
 // What a user might do to any shape.
 Shape dressed(Shape shape, Random& random) {
   if (random.one_in(6)) {
@@ -36,6 +47,7 @@ Shape dressed(Shape shape, Random& random) {
     shape = painted(random.below(5), std::move(where), std::move(shape));
   }
   if (random.one_in(6)) shape = wrapped(std::move(shape), random);
+  if (random.one_in(6)) shape = rescaled(shape, random);
   if (random.one_in(8)) shape = covered(random.below(4), std::move(shape));
   return shape;
 }

@@ -23,10 +23,11 @@ Shape tiled_corner(Random& random);        // boxes around one edge or corner
 Shape ground_with_things(Random& random);  // flat ground, and what stands on it
 
 // Planes that meet.
-Shape wedge(Random& random);         // two to four planes through one edge
-Shape spike(Random& random);         // three to seven planes through one corner, met or joined
-Shape thin_sheets(Random& random);   // sheets, needles and points
-Shape oblique_cell(Random& random);  // an intersection of planes of arbitrary doubles
+Shape wedge(Random& random);            // two to four planes through one edge
+Shape parallel_planes(Random& random);  // written at different lengths, met or joined
+Shape spike(Random& random);            // three to seven planes through one corner, met or joined
+Shape thin_sheets(Random& random);      // sheets, needles and points
+Shape oblique_cell(Random& random);     // an intersection of planes of arbitrary doubles
 
 // Expressions.
 Shape nested_expression(Random& random);  // up to six levels
