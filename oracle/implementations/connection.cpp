@@ -49,8 +49,8 @@ bool Connection::is_hello(std::string_view line) {
 }
 
 std::optional<std::string> Connection::greet() {
-  constexpr std::chrono::milliseconds little(2000);
-  const auto until = Clock::now() + std::min(little, patience_.per_ask);
+  const auto beginning = Clock::now();
+  const auto until = beginning + patience_.to_greet;
   dialogue_.emplace(entry_, words_);
   dialogue_->say(hello_line);
   bool is_done = false;
@@ -61,6 +61,7 @@ std::optional<std::string> Connection::greet() {
       if (!is_done && premature_.empty()) premature_ = one_line(*line);
     }
   }
+  if (knows_hello_) first_start_ = Clock::now() - beginning;
   if (const auto why = dialogue_->why_not_started()) return why;
   if (!wrong_version_.empty()) {
     return "it speaks " + one_line(wrong_version_) + ", not " + std::string(protocol);

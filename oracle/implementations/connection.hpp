@@ -14,8 +14,8 @@ class Connection {
  public:
   Connection(Entry entry, Patience patience) : entry_(std::move(entry)), patience_(patience) {}
 
-  // Starts it and asks for its greeting, with little patience: without one it counts as an implementation of
-  // all kinds of ask that knows no hello. Returns why it cannot be a subject, or nothing.
+  // Starts it and asks for its greeting; without one it counts as an implementation of all kinds of ask that
+  // knows no hello. Returns why it cannot be a subject, or nothing.
   std::optional<std::string> greet();
   const Greeting& greeting() const { return greeting_; }
   // Is this the answer to the hello, late or of a process started again?
@@ -33,6 +33,8 @@ class Connection {
   void say_scene(const std::string& line);
 
   const Patience& patience() const { return patience_; }
+  // What it may need for a start again, by its first one.
+  Clock::duration time_to_start() const { return 2 * first_start_; }
   const std::string& last_words() const { return words_.text(); }
 
  private:
@@ -44,6 +46,7 @@ class Connection {
   std::optional<Dialogue> dialogue_;
   Greeting greeting_;
   bool knows_hello_ = false;
+  Clock::duration first_start_{};  // until the greeting came; 0 if none did
   std::string wrong_version_;
   std::string premature_;
   std::string scene_;  // the line last said to this process

@@ -48,7 +48,7 @@ void Round::start() {
   connection_.restart();
   said_ = due();
   answered_ = 0;
-  last_news_ = Clock::now();
+  last_news_ = Clock::now() + connection_.time_to_start();
 }
 
 // One at a time while we look for the ask at fault, and until a process started after a failure has answered.

@@ -38,7 +38,7 @@ void Round::on_end() {
 // Ends its input, to see whether the answer was only waiting in a buffer.
 std::string Round::hint_at_silence() {
   constexpr std::chrono::milliseconds last_moments(200);
-  const char* flush = "does it flush its output after every line?";
+  const std::string flush = "does it flush its output after every line?";
   Dialogue& dialogue = connection_.dialogue();
   const std::string unfinished = one_line(dialogue.unfinished_line());
   const bool was_mute = dialogue.received() == 0;
@@ -47,10 +47,11 @@ std::string Round::hint_at_silence() {
   while (!dialogue.is_over() && !dialogue.is_line_too_long() && Clock::now() < until) {
     dialogue.exchange(until);
     while (const auto line = dialogue.next_line()) {
-      if (read_id(*line) == id_of(due())) return std::string("; it came when the input ended: ") + flush;
+      if (read_id(*line) == id_of(due()))
+        return "; it came just after the input was closed: is it slow, or " + flush;
     }
   }
-  if (was_mute) return std::string("; nothing has come at all: ") + flush;
+  if (was_mute) return "; nothing has come at all: " + flush;
   return unfinished.empty() ? "" : "; this line has no end: " + unfinished;
 }
 

@@ -55,7 +55,8 @@ struct NoSubject {
 };
 
 struct Patience {
-  std::chrono::milliseconds per_ask{10000};
+  std::chrono::milliseconds per_ask{10000};  // since the reply before it
+  std::chrono::milliseconds to_greet{5000};  // then it counts as one that knows no hello
 };
 
 using SubjectOrNone = std::variant<std::unique_ptr<Subject>, NoSubject>;
