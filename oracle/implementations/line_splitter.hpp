@@ -9,7 +9,7 @@ namespace groundtruth::implementations {
 
 class LineSplitter {
  public:
-  static constexpr std::size_t longest_line = std::size_t{4} << 20;
+  static constexpr std::size_t longest_line = std::size_t{1} << 20;
 
   void add(std::string_view bytes) {
     bytes_.erase(0, start_);

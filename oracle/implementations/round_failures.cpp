@@ -6,9 +6,9 @@ namespace groundtruth::implementations {
 namespace {
 
 // After failures in a row of this weight together, the rest of the round is not asked any more.
-constexpr int most_failures = 30;
+constexpr int most_failures = 20;
 constexpr int weight_of_crash = 1;
-constexpr int weight_of_silence = 10;
+constexpr int weight_of_silence = 7;
 
 }  // namespace
 

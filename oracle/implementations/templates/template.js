@@ -1,5 +1,6 @@
 // Answers entry asks, in doubles: node template.js. Copy it and put your own implementation in place of answer().
-// A line comes in, a line goes out: hello, then scenes and asks. Not done here: clip, step, paint.
+// A line comes in, a line goes out: hello, then scenes and asks. Not done here: clip, step, paint, and
+// starts on a face that is left, which count as inside.
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const wholeLine = () => [{first: -Infinity, last: Infinity, leaf: null}];
@@ -18,7 +19,7 @@ function spans(shape, start, along, leaves, material = null) {
     const crossing = -distance / slope;
     return slope < 0 ? [{first: crossing, last: Infinity, leaf}] : [{first: -Infinity, last: crossing, leaf: null}];
   }
-  if (shape.material) return spans(shape.shape, start, along, leaves, material ?? shape.material);
+  if (shape.shape) return spans(shape.shape, start, along, leaves, material ?? shape.material);
   if (shape.intersection) {
     return shape.intersection.reduce((common, part) => {
       const others = spans(part, start, along, leaves, material);

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Answers entry asks, in doubles. Copy it and put your own implementation in place of answer().
 
-A line comes in, a line goes out, and is flushed: hello, then scenes and asks. Not done here: clip, step, paint."""
+A line comes in, a line goes out, and is flushed: hello, then scenes and asks. Not done here: clip, step, paint,
+and starts on a face that is left, which count as inside."""
 import json
 import sys
 from math import inf
@@ -22,8 +23,8 @@ def spans(shape, start, along, leaves, material=None):
             return [(-inf, inf, None)] if distance <= 0 else []
         crossing = -distance / slope
         return [(crossing, inf, leaves[-1])] if slope < 0 else [(-inf, crossing, None)]
-    if "material" in shape:
-        return spans(shape["shape"], start, along, leaves, material or shape["material"])
+    if "shape" in shape:
+        return spans(shape["shape"], start, along, leaves, material or shape.get("material"))
     if "intersection" in shape:
         common = [(-inf, inf, None)]
         for part in shape["intersection"]:

@@ -10,7 +10,7 @@
 
 namespace groundtruth::implementations::test {
 
-constexpr Patience short_patience{std::chrono::milliseconds(300), std::chrono::milliseconds(1000)};
+constexpr Patience short_patience{std::chrono::milliseconds(800), std::chrono::milliseconds(2000)};
 
 // hostile VICE TOKEN; the token is this process's and tells its processes from others'.
 std::vector<std::string> hostile(const std::string& vice);

@@ -31,7 +31,7 @@ class Hostile : public testing::TestWithParam<Expected> {
   void TearDown() override {
     EXPECT_EQ(processes_left(), std::vector<std::string>{});
     EXPECT_EQ(open_descriptors(), descriptors_before_);
-    EXPECT_LT(std::chrono::steady_clock::now() - start_, std::chrono::seconds(5));
+    EXPECT_LT(std::chrono::steady_clock::now() - start_, std::chrono::seconds(20));
   }
 
  private:
@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"crashes-in-batches", "caaaaa", "only with more asks in flight"},      //
                     Expected{"crashes-in-mid-line", "aacaaa", "in the middle of a line: {\"id\""},  //
                     Expected{"hangs-at-once", "hhhhhh", "flush"},                                   //
-                    Expected{"hangs-at-poison", "aahaaa", "no answer within 300 ms"},               //
-                    Expected{"stops-at-poison", "aahaaa", "no answer within 300 ms"},               //
+                    Expected{"hangs-at-poison", "aahaaa", "no answer within 800 ms"},               //
+                    Expected{"stops-at-poison", "aahaaa", "no answer within 800 ms"},               //
                     Expected{"answers-late", "aahaaa", "is it slow"},                               //
                     Expected{"never-flushes", "hhhhhh", "flush"},                                   //
                     Expected{"floods-output", "aauaaa", "longer than"},                             //

@@ -110,7 +110,7 @@ const std::map<std::string, Vice> vices = {
     {"hangs-at-poison", at_poison([](const Ask&) { sleep_for_ever(); })},
     {"stops-at-poison", at_poison([](const Ask&) { std::raise(SIGSTOP); })},
     {"answers-late", at_poison([](const Ask& ask) {
-       std::this_thread::sleep_for(std::chrono::milliseconds(450));
+       std::this_thread::sleep_for(std::chrono::milliseconds(900));
        answer(ask);
      })},
     {"never-flushes",
