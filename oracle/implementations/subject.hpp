@@ -41,6 +41,7 @@ struct Greeting {
 class Subject {
  public:
   virtual ~Subject() = default;
+  // Of one that says no hello in time: nameless, and all kinds; what it says later still counts.
   virtual const Greeting& greeting() const = 0;
   // 1. One reply an ask, in order. 2. Asks are written ahead; whoever crashes or hangs is started anew, and
   // goes on with the next ask. 3. A crash is laid to the ask that crashes it alone. If there is none, the
