@@ -32,7 +32,7 @@ LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
-    "rapidjson/": {"reference/text", "oracle/report"},
+    "rapidjson/": {"reference/text", "oracle/report", "oracle/implementations"},  # the last for its template only
     "CLI/": {"oracle/cli"},
     "fmt/": {"oracle/cli", "oracle/report"},
 }
