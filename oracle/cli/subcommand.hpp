@@ -19,5 +19,6 @@ struct Subcommand {
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_judge(CLI::App& program);
+Subcommand add_vectors(CLI::App& program);
 
 }  // namespace groundtruth::cli

@@ -20,7 +20,7 @@ ALLOWED = {
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "judge", "problem"},
+    "oracle/report": {"campaign", "cases", "implementations", "judge", "problem", "text"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
 }
 TOP_LEVEL = {
