@@ -27,7 +27,7 @@ std::vector<Case> corpus_of_clips() {
            {"border", "brake", "one-ulp"}, "One ulp outside the band: rolls."),
       clip("case-1", {{-8, 2, -10}, flat, 0.5, 3}, {"brake"},
            "Outside the band, within the circle's height there: F'_y stays."),
-      clip("case-2-corner", {{4, 6, -10}, flat, 0.5, 3}, {"band-corner"},
+      clip("case-2-corner", {{8, 6, -10}, flat, 0.5, 3}, {"band-corner"},
            "Goes to the corner of band and circle, (3, 4)."),
       clip("case-2-meets-case-1", {{6, 4, -10}, flat, 0.5, 3}, {"band-corner"},
            "|F'_y| = s exactly: cases 1 and 2 agree."),

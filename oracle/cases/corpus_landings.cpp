@@ -13,7 +13,7 @@ std::vector<Case> corpus_of_landings() {
   long_strut.wheel.z_max = 1;
   StepAsk scaled = touching(0.5);
   scaled.frame.world_from_wheel = {0, 3, 0, 0};
-  StepAsk leaning = touching(0.5);
+  StepAsk leaning = touching(0.375);
   leaning.frame.world_from_wheel = {0, 2, 0, 1};
   const Shape slope = half_space(8, 0, 1, 0);
   return {
@@ -36,7 +36,7 @@ std::vector<Case> corpus_of_landings() {
        long_strut,
        {"border"},
        "Between z_zero and z_max: stick all the same."},
-      {"landing/too-steep",
+      {"landing/steep-slope",
        ground(slope),
        touching(0.5),
        {"steep"},

@@ -136,7 +136,7 @@ std::vector<Case> numbers() {
        ground(intersection_of({half_space(1, 0, 1, 0), half_space(-1, 0, 0x1.0000000000001p+0, 0)})),
        EntryAsk{{0, 0, 3}, {0x1p-30, 0, -1}},
        {"one-ulp", "edge"},
-       "Two planes whose crossings lie 2^-83 apart or so."},
+       "Two planes whose crossings all but coincide."},
       {"number/near-parallel",
        ground(half_space(0x1p-40, 0, 1, 0)),
        EntryAsk{{-1, 0, 1}, {1, 0, 1}},

@@ -23,14 +23,14 @@ StepAsk moving(StepAsk ask, const Vector& velocity) {
 
 std::vector<Case> corpus_of_slipping() {
   const Scene flat = flat_ground();
-  const Scene edge = ground(intersection_of({half_space(0, 0, 1, 0), half_space(1, 0, 0, 0.0625)}));
+  const Scene edge = ground(intersection_of({half_space(0, 0, 1, 0), half_space(1, 0, 0, 0.03125)}));
   const Scene step_up = ground(union_of({half_space(0, 0, 1, 0), box({0.0625, -1, -1}, {2, 1, 0.25})}));
   return {
       {"slip/rolls",
        flat,
        slipping({0.125, 0, 0.5}),
        {"relocation", "brake"},
-       "Rolls along the brake band: case 1."},
+       "Rolls, with B = mu N exactly."},
       {"slip/sideways",
        flat,
        slipping({0, 0.125, 0.5}),
