@@ -9,7 +9,7 @@
 namespace groundtruth::cli {
 
 // What the program exits with.
-enum class Exit { agrees = 0, disagrees = 1, usage = 2, unreadable = 3 };
+enum class Exit { agrees = 0, disagrees = 1, usage = 2, unreadable = 3, nothing_judged = 5 };
 
 struct Subcommand {
   CLI::App* command;
@@ -18,6 +18,8 @@ struct Subcommand {
 
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
+Subcommand add_judge(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
+Subcommand add_vectors(CLI::App& program);
 
 }  // namespace groundtruth::cli

@@ -110,4 +110,12 @@ AnswerLine read_answer(std::string_view text, const Ask& ask, const Scene& scene
   return read;
 }
 
+std::string read_answer_id(std::string_view text) {
+  try {
+    return id_of(parse_json(text, {}));
+  } catch (const BadInput&) {
+    return "null";
+  }
+}
+
 }  // namespace groundtruth

@@ -48,4 +48,7 @@ struct AnswerLine {
 // are ignored, as engines may add to an answer.
 AnswerLine read_answer(std::string_view text, const Ask& ask, const Scene& scene, const Origin& origin);
 
+// The id of a line, as JSON; null if it has none or is no JSON object.
+std::string read_answer_id(std::string_view text);
+
 }  // namespace groundtruth

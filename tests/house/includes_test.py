@@ -17,10 +17,10 @@ ALLOWED = {
     "fast": {"problem"},
     "oracle/definition": {"problem"},
     "oracle/cases": {"problem"},
-    "oracle/judge": {"problem"},
+    "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "implementations", "judge", "problem"},
+    "oracle/report": {"campaign", "cases", "implementations", "judge", "problem", "text"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
 }
 TOP_LEVEL = {
@@ -31,10 +31,10 @@ TOP_LEVEL = {
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
     "rapidjson/": {"reference/text", "oracle/report", "oracle/implementations"},  # the last for its template only
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/report"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report"},
 }
 
 
