@@ -21,6 +21,7 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/report": {"campaign", "cases", "implementations", "judge", "problem", "text"},
+    "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
 }
 TOP_LEVEL = {
