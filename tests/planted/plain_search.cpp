@@ -56,6 +56,7 @@ std::optional<Hit> PlainSearch::first_of_half_space(const HalfSpace& half_space,
   if (at_start == 0) return Hit{start, &half_space};
   const Ratio crossing{near, -slope};
   if (!(slope < 0) || last_ < crossing) return std::nullopt;
+  if (crossing < start) return Hit{start, &half_space};  // rounding
   return Hit{crossing, &half_space};
 }
 
@@ -77,8 +78,12 @@ std::optional<Hit> PlainSearch::first_of_intersection(std::span<const Shape> ope
     for (const Shape& operand : operands) {
       const std::optional<Hit> hit = first(operand, common.lambda);
       if (!hit) return std::nullopt;
-      if (common.lambda < hit->lambda) moves = true;
-      if (moves || hit->face != nullptr) common = {hit->lambda, hit->face ? hit->face : common.face};
+      if (common.lambda < hit->lambda) {
+        moves = true;
+        common = *hit;
+      } else if (common.face == nullptr) {
+        common.face = hit->face;
+      }
     }
   }
   return common;
