@@ -40,7 +40,8 @@ std::optional<Hit> PlainSearch::first(const Shape& shape, const Ratio& start) {
     std::optional<Hit> operator()(const Covered& shape) const { return search.first(*shape.over, start); }
     std::optional<Hit> operator()(const Painted& shape) const { return search.first(*shape.over, start); }
   };
-  return std::visit(Visit{*this, start}, shape.expression);
+  ++visits_;
+  return has_given_up() ? std::nullopt : std::visit(Visit{*this, start}, shape.expression);
 }
 
 double PlainSearch::distance(const HalfSpace& half_space, const Vector& x) const {
@@ -91,9 +92,11 @@ std::optional<Hit> PlainSearch::first_of_intersection(std::span<const Shape> ope
 
 EntryAnswer deviation(const Right& right, const EntryAsk& ask, PlainSearch& wrong) {
   const Shape& shape = right.scene().shape;
-  const std::optional<Hit> expected = PlainSearch(ask).search(shape);
+  PlainSearch plain(ask);
+  const std::optional<Hit> expected = plain.search(shape);
   const std::optional<Hit> hit = wrong.search(shape);
-  return agree(hit, expected) ? right.entry(ask) : answer_of(hit, ask, right);
+  const bool is_known = !plain.has_given_up() && !wrong.has_given_up();
+  return is_known && !agree(hit, expected) ? answer_of(hit, ask, right) : right.entry(ask);
 }
 
 }  // namespace groundtruth::planted
