@@ -1,9 +1,12 @@
-// planted_reach [SEED [ASKS]]: how many of the generated asks about the built-in scenes show each planted
-// mistake, and by which flavours; with a witness, as small as was seen, in lines of JSON on the error stream.
+// planted_reach [SEED [ASKS [NAME...]]]: how many of the generated asks about the built-in scenes show each
+// planted mistake, and by which flavours; with a witness, as small as was seen, in lines of JSON on the error
+// stream.
 
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 
 #include <fmt/core.h>
@@ -77,7 +80,7 @@ std::string flavours(const Reached& reached) {
   return text;
 }
 
-void measure(std::uint64_t seed, std::size_t asks) {
+void measure(std::uint64_t seed, std::size_t asks, const std::set<std::string_view>& names) {
   std::deque<Part> parts;  // a Part stays where it is: its leaves point into its scene
   const std::size_t scenes = cases::builtin_scenes().size();
   for (const cases::BuiltinScene& builtin : cases::builtin_scenes()) {
@@ -88,6 +91,7 @@ void measure(std::uint64_t seed, std::size_t asks) {
     }
   }
   for (const Bug& bug : all_bugs()) {
+    if (!names.empty() && !names.contains(bug.name)) continue;
     Reached reached;
     for (const Part& part : parts) part.show(bug, reached);
     fmt::print("{:32} {:5} {:8} {:6} {}\n", bug.name, name(bug.kind), name(bug.reach), reached.asks,
@@ -103,6 +107,6 @@ void measure(std::uint64_t seed, std::size_t asks) {
 int main(int count, char** arguments) {
   const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
   const std::size_t asks = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 20000;
-  groundtruth::planted::measure(seed, asks);
+  groundtruth::planted::measure(seed, asks, {arguments + std::min(count, 3), arguments + count});
   return 0;
 }
