@@ -46,40 +46,70 @@ std::optional<FirstPoint> first_point_in_dyadics(const ExpressionView& solid, co
   Lines<DyadicNumbers> lines;
   for (const HalfSpace& leaf : solid.leaves) lines.push_back(segment.line(leaf));
   const auto found = find_first_point(DyadicNumbers{}, solid, lines, segment.length());
-  if (!found) return std::nullopt;
-  const double lambda = found->crossed ? segment.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
-  return FirstPoint{lambda, found->leaf, found->crossed};
+  return found ? std::optional(FirstPoint{found->leaf, found->crossed, 0}) : std::nullopt;
 }
 
-std::optional<FirstPoint> first_point_in_machine_integers(const Lattice& lattice, const ExpressionView& solid,
-                                                          const EntryAsk& ask) {
-  Lines<MachineNumbers> lines;
+template <std::size_t words>
+std::optional<FirstPoint> first_point_in_words(const Units& units, const ExpressionView& solid,
+                                               const EntryAsk& ask) {
+  const Lattice<words> lattice(ask, units);
+  Lines<FixedNumbers<words>> lines;
   for (const HalfSpace& leaf : solid.leaves) lines.push_back(lattice.line(leaf));
-  const auto found = find_first_point(MachineNumbers{}, solid, lines, lattice.length());
-  if (!found) return std::nullopt;
-  const double lambda = found->crossed ? lattice.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
-  return FirstPoint{lambda, found->leaf, found->crossed};
+  const auto found = find_first_point(FixedNumbers<words>{}, solid, lines, lattice.length());
+  return found ? std::optional(FirstPoint{found->leaf, found->crossed, words}) : std::nullopt;
+}
+
+bool contains_in_dyadics(const ExpressionView& region, const EntryAsk& ask,
+                         const std::optional<HalfSpace>& crossed) {
+  const DyadicSegment segment(ask);
+  Lines<DyadicNumbers> lines;
+  for (const HalfSpace& leaf : region.leaves) lines.push_back(segment.line(leaf));
+  const Line<DyadicNumbers> place = crossed ? segment.line(*crossed) : Line<DyadicNumbers>{{}, 1.0, 1};
+  return contains(DyadicNumbers{}, region, lines, &place);
+}
+
+template <std::size_t words>
+bool contains_in_words(const Units& units, const ExpressionView& region, const EntryAsk& ask,
+                       const std::optional<HalfSpace>& crossed) {
+  const Lattice<words> lattice(ask, units);
+  Lines<FixedNumbers<words>> lines;
+  for (const HalfSpace& leaf : region.leaves) lines.push_back(lattice.line(leaf));
+  const auto place = crossed ? lattice.line(*crossed) : Line<FixedNumbers<words>>{{}, 1, 1};
+  return contains(FixedNumbers<words>{}, region, lines, &place);
+}
+
+int most_bits(const Units& units, std::span<const HalfSpace> leaves) {
+  int bits = units.bits();
+  for (const HalfSpace& leaf : leaves) bits = std::max(bits, units.bits(leaf));
+  return bits;
 }
 
 }  // namespace
 
 std::optional<FirstPoint> first_point(const ExpressionView& solid, const EntryAsk& ask) {
-  if (const auto lattice = Lattice::of(ask, solid.leaves))
-    return first_point_in_machine_integers(*lattice, solid, ask);
+  const Units units(ask);
+  const int bits = most_bits(units, solid.leaves);
+  if (bits <= Fixed<1>::bits) return first_point_in_words<1>(units, solid, ask);
+  if (bits <= Fixed<2>::bits) return first_point_in_words<2>(units, solid, ask);
+  if (bits <= Fixed<4>::bits) return first_point_in_words<4>(units, solid, ask);
   return first_point_in_dyadics(solid, ask);
 }
 
 bool contains(const ExpressionView& region, const EntryAsk& ask, const std::optional<HalfSpace>& crossed) {
-  if (region.nodes.empty()) return false;
-  const DyadicSegment segment(ask);
-  Lines<DyadicNumbers> lines;
-  for (const HalfSpace& leaf : region.leaves) lines.push_back(segment.line(leaf));
-  const Line<DyadicNumbers> place = crossed ? segment.line(*crossed) : Line<DyadicNumbers>{{}, 1.0, 1};
-  const DyadicNumbers numbers;
-  return Search<DyadicNumbers>(numbers, region, lines).contains(region.nodes.data(), &place);
+  const Units units(ask);
+  const int bits = std::max(most_bits(units, region.leaves), crossed ? units.bits(*crossed) : 0);
+  if (bits <= Fixed<1>::bits) return contains_in_words<1>(units, region, ask, crossed);
+  if (bits <= Fixed<2>::bits) return contains_in_words<2>(units, region, ask, crossed);
+  if (bits <= Fixed<4>::bits) return contains_in_words<4>(units, region, ask, crossed);
+  return contains_in_dyadics(region, ask, crossed);
 }
 
 double crossing(const HalfSpace& half_space, const EntryAsk& ask) {
+  const Units units(ask);
+  if (units.bits(half_space) <= Fixed<2>::bits) {
+    const Lattice<2> lattice(ask, units);
+    if (const auto lambda = lattice.lambda(lattice.line(half_space))) return *lambda;
+  }
   const DyadicSegment segment(ask);
   return segment.lambda(segment.line(half_space));
 }
