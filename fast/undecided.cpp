@@ -74,7 +74,7 @@ double position_above(double lambda, const EntryAsk& ask) {
 }
 
 // More contenders than this are looked through one by one first.
-constexpr std::size_t few = 3;
+constexpr std::size_t few = 8;
 
 }  // namespace
 

@@ -31,6 +31,7 @@ class Fixed {
     return is_negative() ? -1 : any != 0;
   }
 
+  friend bool operator==(const Fixed&, const Fixed&) = default;
   friend Fixed operator+(const Fixed& a, const Fixed& b) { return sum(a, b, 0, 0); }
   friend Fixed operator-(const Fixed& a, const Fixed& b) { return sum(a, b, ~std::uint64_t{0}, 1); }
   friend Fixed operator-(const Fixed& a) { return Fixed{} - a; }
@@ -49,6 +50,7 @@ class Fixed {
   }
 
   Fixed shifted(int left) const {
+    if constexpr (count == 1) return Fixed(static_cast<std::int64_t>(words_[0] << left));
     const auto words = static_cast<std::size_t>(left / 64);
     const int rest = left % 64;
     Fixed result;

@@ -14,19 +14,16 @@ Units::Units(const EntryAsk& ask) {
   lambda_bits_ = std::max(lambdas.highest(), 0) - lambda_ + 1;
 }
 
-Units::LeafBits::LeafBits(const HalfSpace& leaf, int point_unit) {
+Units::OfLeaf Units::of(const HalfSpace& leaf) const {
+  BitRange normal, offset;
   normal.add(leaf.normal);
   offset.add(leaf.offset);
-  const int offset_unit = offset.lowest() - point_unit;
-  unit = offset.is_empty()   ? normal.lowest()
-         : normal.is_empty() ? offset_unit
-                             : std::min(normal.lowest(), offset_unit);
-}
-
-int Units::bits(const HalfSpace& leaf) const {
-  const LeafBits of(leaf, point_);
-  return bits_of(
-      std::max(of.normal.bits_above(of.unit) + point_bits_, of.offset.bits_above(point_ + of.unit)));
+  const int offset_unit = offset.lowest() - point_;
+  const int unit = offset.is_empty()   ? normal.lowest()
+                   : normal.is_empty() ? offset_unit
+                                       : std::min(normal.lowest(), offset_unit);
+  const int term = std::max(normal.bits_above(unit) + point_bits_, offset.bits_above(point_ + unit));
+  return {unit, bits_of(term)};
 }
 
 }  // namespace groundtruth::fast::exact_stage

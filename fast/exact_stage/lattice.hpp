@@ -17,21 +17,19 @@ class Units {
 
   int point() const { return point_; }    // of coordinates: an exponent of two
   int lambda() const { return lambda_; }  // <= 0
-  // Of a leaf's normal: so small that its offset, too, is a multiple of it times the point's.
-  int normal(const HalfSpace& leaf) const { return LeafBits(leaf, point_).unit; }
 
-  // Bits, without the sign, of all numbers of the ask itself.
+  // Of a leaf's normal: so small a unit that the offset, too, is a multiple of it times the point's; and how
+  // many bits, without the sign, hold the value and slope of the leaf's line then: lemma lattice-bits
+  // (proofs-notes/rounding.md).
+  struct OfLeaf {
+    int unit;
+    int bits;
+  };
+  OfLeaf of(const HalfSpace& leaf) const;
+  // As many hold all numbers of the ask itself.
   int bits() const { return bits_of(point_bits_); }
-  // Of the values and slopes of a leaf's line as well: lemma lattice-bits (proofs-notes/rounding.md).
-  int bits(const HalfSpace& leaf) const;
 
  private:
-  struct LeafBits {
-    LeafBits(const HalfSpace& leaf, int point_unit);
-    BitRange normal;
-    BitRange offset;
-    int unit;
-  };
   int bits_of(int term) const { return term + lambda_bits_ + 3; }
 
   int point_ = 0;
@@ -53,9 +51,8 @@ class Lattice {
     for (std::size_t axis = 0; axis < 3; ++axis) direction_[axis] = end[axis] - start_[axis];
   }
 
-  // From the start of the range on; t is lambda - first in the units of lambda.
-  Line<FixedNumbers<words>> line(const HalfSpace& leaf) const {
-    const int unit = units_.normal(leaf);
+  // `unit`: of the leaf. From the start of the range on; t is lambda - first in the units of lambda.
+  Line<FixedNumbers<words>> line(const HalfSpace& leaf, int unit) const {
     const Normal<Fixed<words>> normal = in_units<words>(leaf.normal, unit);
     const Fixed<words> slope = dot(normal, direction_);
     const Fixed<words> value = dot(normal, start_) - in_units<words>(leaf.offset, units_.point() + unit);

@@ -32,10 +32,10 @@ class BitRange {
  public:
   void add(double x) {
     const SplitDouble parts = split(x);
-    if (parts.mantissa == 0) return;
     const auto magnitude = static_cast<std::uint64_t>(parts.mantissa < 0 ? -parts.mantissa : parts.mantissa);
-    lowest_ = std::min(lowest_, parts.exponent);
-    highest_ = std::max(highest_, parts.exponent + static_cast<int>(std::bit_width(magnitude)));
+    const int highest = parts.exponent + static_cast<int>(std::bit_width(magnitude));
+    lowest_ = std::min(lowest_, magnitude == 0 ? none_below : parts.exponent);
+    highest_ = std::max(highest_, magnitude == 0 ? -none_below : highest);
   }
   void add(const Vector& v) {
     for (const double x : v) add(x);
@@ -58,7 +58,7 @@ class BitRange {
 template <std::size_t words>
 Fixed<words> in_units(double x, int unit) {
   const SplitDouble parts = split(x);
-  return parts.mantissa == 0 ? Fixed<words>{} : Fixed<words>(parts.mantissa).shifted(parts.exponent - unit);
+  return Fixed<words>(parts.mantissa).shifted(parts.mantissa == 0 ? 0 : parts.exponent - unit);
 }
 
 template <std::size_t words>

@@ -13,12 +13,13 @@ class Planes {
   struct Side {
     std::size_t plane;
     int sense;  // 1 if the normal is that of the plane's first leaf, -1 if it is opposite; lengths apart
+    bool operator==(const Side&) const = default;
   };
 
   // Of a leaf with this normal, which is not zero.
   Side add(const Normal<Number>& normal) {
     for (std::size_t plane = 0; plane < normals_.size(); ++plane)
-      if (is_zero(cross(normals_[plane], normal)))
+      if (are_parallel(normals_[plane], normal))
         return {plane, have_one_direction(normals_[plane], normal) ? 1 : -1};
     normals_.push_back(normal);
     return {normals_.size() - 1, 1};
@@ -43,8 +44,8 @@ class Planes {
   }
 
  private:
-  static bool is_zero(const Normal<Number>& v) {
-    return sign(v[0]) == 0 && sign(v[1]) == 0 && sign(v[2]) == 0;
+  static bool are_parallel(const Normal<Number>& a, const Normal<Number>& b) {
+    return a[0] * b[1] == a[1] * b[0] && a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2];
   }
   // Requires parallel vectors that are not zero.
   static bool have_one_direction(const Normal<Number>& a, const Normal<Number>& b) {
