@@ -127,17 +127,18 @@ OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_la
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves) {
   const double error = error_bound(cell, probe);
   const Crosser crosser(probe, error);
-  for (std::uint32_t place = 4 * cell.first_group; place != 4 * cell.end_group; ++place) {
-    const std::uint32_t leaf = cells.leaves[place];
-    const int lane = static_cast<int>(place % 4);
-    if (leaf == no_leaf) continue;
+  for (std::uint32_t group = cell.first_group; group != cell.end_group; ++group) {
     Crossings at{};
-    if (error < greatest_usable_error) crosser.cross(cells.groups[place / 4], at);
-    if (at.is_inside[lane]) continue;
-    if (at.enters[lane] || at.leaves[lane])
-      leaves.push_back({at.lower[lane], at.upper[lane], leaf, at.enters[lane] ? Turn::enters : Turn::leaves});
-    else
-      leaves.push_back({.leaf = leaf});
+    if (error < greatest_usable_error) crosser.cross(cells.groups[group], at);
+    for (int lane = 0; lane < 4; ++lane) {
+      const std::uint32_t leaf = cells.leaves[4 * group + static_cast<std::uint32_t>(lane)];
+      if (leaf == no_leaf || at.is_inside[lane]) continue;
+      if (at.enters[lane] || at.leaves[lane])
+        leaves.push_back(
+            {at.lower[lane], at.upper[lane], leaf, at.enters[lane] ? Turn::enters : Turn::leaves});
+      else
+        leaves.push_back({.leaf = leaf});
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <groundtruth/fast/exact_stage/entry.hpp>
+
 namespace groundtruth::fast {
 
 namespace {
@@ -77,6 +79,11 @@ std::optional<double> rounded_crossing(const HalfSpace& leaf, const EntryAsk& as
   if (!is_in_range || lambda.high + (lambda.low + error) != lambda.high + (lambda.low - error))
     return std::nullopt;
   return lambda.high;
+}
+
+RoundedLambda correctly_rounded_crossing(const HalfSpace& leaf, const EntryAsk& ask) {
+  if (const auto lambda = rounded_crossing(leaf, ask)) return {*lambda, Stage::double_pair};
+  return {exact_stage::crossing(leaf, ask), Stage::exact};
 }
 
 }  // namespace groundtruth::fast

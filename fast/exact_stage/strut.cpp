@@ -75,8 +75,7 @@ std::optional<MaterialIndex> material_at(const Scene& scene, Leaf leaf, const St
       const Expression& expression = scene.regions()[*rule.region];
       const ExpressionView region{expression.nodes, expression.leaves, {}};
       const Lines<SurdNumbers> lines = strut.lines(region);
-      if (!Search<SurdNumbers>(strut.numbers(), region, lines).contains(region.nodes.data(), &place))
-        continue;
+      if (!contains(strut.numbers(), region, lines, &place)) continue;
     }
     material = rule.material;
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -137,10 +138,10 @@ void register_nested() {
 }
 
 bool is_of_this_world(const EntryAsk& ask) {
-  for (const Vector* end : {&ask.from, &ask.to})
-    for (const double x : *end)
-      if (std::abs(x) > 1e6 || (x != 0 && std::abs(x) < 1e-20)) return false;
-  return true;
+  const auto is_usual = [](double x) { return x == 0 || (std::abs(x) > 1e-20 && std::abs(x) <= 1e6); };
+  return std::all_of(ask.from.begin(), ask.from.end(), is_usual) &&
+         std::all_of(ask.to.begin(), ask.to.end(), is_usual) && is_usual(ask.lambda_first) &&
+         is_usual(ask.lambda_last);
 }
 
 // Asks that only the exact stage can decide.
@@ -157,14 +158,14 @@ void register_ties(const std::string& name, const Scene& scene) {
     ask_all(state, ties, [&](const EntryAsk& ask) { return fast::entry_point(*compiled, ask); });
   });
   benchmark::RegisterBenchmark((name + "/ties/quantiles").c_str(), [=](benchmark::State& state) {
-    std::vector<double> times;
+    // The least of all rounds, ask by ask: what else the machine does is not counted.
+    std::vector<double> times(ties.size(), std::numeric_limits<double>::infinity());
     for (auto _ : state) {
-      times.clear();
-      for (const EntryAsk& ask : ties) {
+      for (std::size_t i = 0; i < ties.size(); ++i) {
         const auto start = std::chrono::steady_clock::now();
-        benchmark::DoNotOptimize(fast::entry_point(*compiled, ask));
-        times.push_back(
-            std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+        benchmark::DoNotOptimize(fast::entry_point(*compiled, ties[i]));
+        const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+        times[i] = std::min(times[i], time.count());
       }
     }
     std::sort(times.begin(), times.end());
