@@ -43,19 +43,26 @@ std::optional<bool> is_at_most(const Counted<Real, m>& a, const Counted<Real, n>
   return sign != Sign::negative;
 }
 
-template <class Real, int n>
-std::optional<bool> is_upright(const CountedVector<Real, n>& normal_in_wheel, double min_uprightness) {
-  const auto& [x, y, z] = normal_in_wheel;
-  const Sign side = sign_of(z);
-  if (side == Sign::uncertain) return std::nullopt;
-  if (side != Sign::negative) return false;
-  return is_at_most(square(counted<Real>(min_uprightness)) * (square(x) + square(y)), square(z));
+template <class Real, int m, int n>
+CountedVector<Real, m + n + 2> cross(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// What a pebble bears on a surface.
-template <class Real, int n, int b>
+// Of a normal as high along the wheel's z axis, downward, and as long as this.
+template <class Real, int m, int n>
+std::optional<bool> is_upright(const Counted<Real, m>& depth, const Counted<Real, n>& length_squared,
+                               double min_uprightness) {
+  const Sign side = sign_of(depth);
+  if (side == Sign::uncertain) return std::nullopt;
+  if (side != Sign::negative) return false;
+  const auto t_squared = square(counted<Real>(min_uprightness));
+  return is_at_most(t_squared * length_squared, (counted<Real>(1) + t_squared) * square(depth));
+}
+
+// Vectors may be in any axes, the same ones for all of a surface.
+template <class Real, int b>
 struct Grasp {
-  CountedVector<Real, n> normal_in_wheel;  // any length; upright
+  CountedVector<Real, 0> normal;  // any length; upright
   Counted<Real, 0> friction;
   Counted<Real, b> brake;
 };
@@ -63,33 +70,42 @@ struct Grasp {
 // What a clip does: SPEC section 4, stick and cases 1 to 3 of slip.
 enum class Clipping { none, onto_band_edge, onto_corner, onto_circle };
 
-// The force in the surface's axes, each as long as it is here:
-//   along  = F'_x r,      axis (-n_z, 0, n_x), of length r
-//   across = F'_y r |n|,  axis (-n_x n_y, r^2, -n_y n_z), of length r |n|
-//   down   = F'_z |n|,    axis -n
-template <class Real, int n, int f, int b>
+// The force along a surface with normal n. `forward`, g, is a positive multiple of X (SPEC section 4):
+//   along   = F'_x |g|
+//   turning = n x F, of length |F'_xy| |n|
+//   across  = F'_y |g| |n|, axis g x n
+//   down    = F'_z |n|
+// Lemma clipping-without-axes (proofs-notes/rounding-of-forces.md).
+template <class Real, int g, int f, int b>
 class ForceOnSurface {
  public:
-  ForceOnSurface(const Grasp<Real, n, b>& grasp, const CountedVector<Real, f>& force)
+  ForceOnSurface(const Grasp<Real, b>& grasp, const CountedVector<Real, g>& forward,
+                 const CountedVector<Real, f>& force)
       : grasp_(grasp),
-        r_squared_(square(x()) + square(z())),
-        n_squared_(r_squared_ + square(y())),
-        along_(x() * force[2] - z() * force[0]),
-        across_(r_squared_ * force[1] - y() * (x() * force[0] + z() * force[2])),
-        down_(-dot(grasp.normal_in_wheel, force)),
+        forward_(forward),
+        force_(force),
+        n_squared_(dot(grasp.normal, grasp.normal)),
+        g_squared_(dot(forward, forward)),
+        along_(dot(forward, force)),
+        turning_(cross(grasp.normal, force)),
+        across_(dot(forward, turning_)),
+        down_(-dot(grasp.normal, force)),
         limit_(grasp.friction * down_) {}
 
+  const auto& down() const { return down_; }
+  const auto& n_squared() const { return n_squared_; }
+
   std::optional<Clipping> decide() const {
-    const auto within_band = is_at_most(square(along_), square(grasp_.brake) * r_squared_);
+    const auto within_band = is_at_most(square(along_), square(grasp_.brake) * g_squared_);
     if (!within_band) return std::nullopt;
     if (!*within_band) return decide_slip();
-    const auto within_disc =
-        is_at_most(square(along_) * n_squared_ + square(across_), square(limit_) * r_squared_);
+    const auto within_disc = is_at_most(turning_squared(), square(limit_));
     if (!within_disc) return std::nullopt;
     return *within_disc ? Clipping::none : decide_slip();
   }
 
-  // with(force in wheel coordinates), for a clipping that is not `none`. Unlike roundings make unlike types.
+  // with(force, in the axes of the vectors), for a clipping that is not `none`. Unlike roundings make unlike
+  // types.
   template <class With>
   auto clipped(Clipping clipping, const With& with) const {
     if (clipping == Clipping::onto_band_edge) return with(onto_band_edge());
@@ -103,7 +119,7 @@ class ForceOnSurface {
     const Sign corner_sign = sign_of(corner);
     if (corner_sign == Sign::uncertain) return std::nullopt;
     if (corner_sign != Sign::positive) return Clipping::onto_circle;
-    const auto between_corners = is_at_most(square(across_), r_squared_ * corner);
+    const auto between_corners = is_at_most(square(across_), g_squared_ * corner);
     if (!between_corners) return std::nullopt;
     if (*between_corners) return Clipping::onto_band_edge;
     const auto beside_corner = is_at_most(square(grasp_.brake * across_), square(along_) * corner);
@@ -111,25 +127,39 @@ class ForceOnSurface {
     return *beside_corner ? Clipping::onto_corner : Clipping::onto_circle;
   }
 
-  // The slips H of SPEC section 4, cases 1 to 3.
+  // The slips of SPEC section 4, cases 1 to 3.
   auto onto_band_edge() const {
-    const auto inverse = one() / (r_squared_ * n_squared_);
-    return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
-                    across_ * inverse, down_ * r_squared_ * inverse);
+    const auto missing = (with_sign_of(along_, grasp_.brake * root(g_squared_)) - along_) / g_squared_;
+    const auto axis = [&](std::size_t k) { return force_[k] + missing * forward_[k]; };
+    return vector_of(axis);
   }
   auto onto_corner() const {
-    const auto inverse = one() / (r_squared_ * n_squared_);
-    return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
-                    with_sign_of(across_, root(corner_squared() * r_squared_)) * inverse,
-                    down_ * r_squared_ * inverse);
+    const auto inverse_length = one() / root(g_squared_);
+    const auto inverse = one() / n_squared_;
+    const auto ahead = with_sign_of(along_, grasp_.brake * inverse_length);
+    const auto aside = with_sign_of(across_, root(corner_squared()) * inverse_length * inverse);
+    const auto pressed = down_ * inverse;
+    const auto across_axis = cross(forward_, grasp_.normal);
+    const auto axis = [&](std::size_t k) {
+      return (ahead * forward_[k] + aside * across_axis[k]) - pressed * grasp_.normal[k];
+    };
+    return vector_of(axis);
   }
   auto onto_circle() const {
-    const auto length = root((square(along_) * n_squared_ + square(across_)) * r_squared_);
-    const auto inverse = one() / (length * n_squared_);
-    const auto scale = magnitude(limit_) * inverse;
-    return in_wheel(scale * along_ * n_squared_, scale * across_, down_ * length * inverse);
+    const auto part = magnitude(limit_) / root(turning_squared());
+    const auto pressed = (one() - part) * (down_ / n_squared_);
+    const auto axis = [&](std::size_t k) { return part * force_[k] - pressed * grasp_.normal[k]; };
+    return vector_of(axis);
   }
 
+  template <class Axis>
+  static auto vector_of(const Axis& axis) {
+    const auto first = axis(0);
+    return CountedVector<Real, decltype(first)::roundings>{first, axis(1), axis(2)};
+  }
+
+  // |F'_xy|^2 |n|^2
+  auto turning_squared() const { return square(turning_[0]) + square(turning_[1]) + square(turning_[2]); }
   // s^2 |n|^2
   auto corner_squared() const { return square(limit_) - square(grasp_.brake) * n_squared_; }
 
@@ -140,37 +170,24 @@ class ForceOnSurface {
     return approximate > 0 ? x : approximate < 0 ? -x : Counted<Real, k>{};
   }
 
-  template <class Along, class Across, class Down>
-  auto in_wheel(const Along& along, const Across& across, const Down& down) const {
-    const auto component = [&](const auto& along_axis, const auto& across_axis, const auto& normal) {
-      return along * along_axis + across * across_axis - down * normal;
-    };
-    const auto forward = component(-z(), -(x() * y()), x());
-    return CountedVector<Real, decltype(forward)::roundings>{forward, across * r_squared_ - down * y(),
-                                                             component(x(), -(y() * z()), z())};
-  }
-
-  using Normal = Counted<Real, n>;
-  using Force = Counted<Real, f>;
-  using RSquared = decltype(square(Normal()) + square(Normal()));
-  using NSquared = decltype(RSquared() + square(Normal()));
-  using Along = decltype(Normal() * Force() - Normal() * Force());
-  using Across = decltype(RSquared() * Force() - Normal() * Along());
-  using Down = decltype(dot(CountedVector<Real, n>(), CountedVector<Real, f>()));
-  using Limit = decltype(Counted<Real, 0>() * Down());
-
   static Counted<Real, 0> one() { return counted<Real>(1); }
-  const Normal& x() const { return grasp_.normal_in_wheel[0]; }
-  const Normal& y() const { return grasp_.normal_in_wheel[1]; }
-  const Normal& z() const { return grasp_.normal_in_wheel[2]; }
 
-  const Grasp<Real, n, b>& grasp_;
-  const RSquared r_squared_;
-  const NSquared n_squared_;
-  const Along along_;
-  const Across across_;
+  using Normal = CountedVector<Real, 0>;
+  using Forward = CountedVector<Real, g>;
+  using Force = CountedVector<Real, f>;
+  using Turning = CountedVector<Real, f + 2>;
+  using Down = decltype(dot(Normal(), Force()));
+
+  const Grasp<Real, b>& grasp_;
+  const Forward& forward_;
+  const Force& force_;
+  const decltype(dot(Normal(), Normal())) n_squared_;
+  const decltype(dot(Forward(), Forward())) g_squared_;
+  const decltype(dot(Forward(), Force())) along_;
+  const Turning turning_;
+  const decltype(dot(Forward(), Turning())) across_;
   const Down down_;
-  const Limit limit_;  // mu F'_z |n|
+  const decltype(Counted<Real, 0>() * Down()) limit_;  // mu F'_z |n|
 };
 
 }  // namespace groundtruth::fast
