@@ -81,25 +81,17 @@ class ForceOnSurface {
  public:
   ForceOnSurface(const Grasp<Real, b>& grasp, const CountedVector<Real, g>& forward,
                  const CountedVector<Real, f>& force)
-      : grasp_(grasp),
-        forward_(forward),
-        force_(force),
-        n_squared_(dot(grasp.normal, grasp.normal)),
-        g_squared_(dot(forward, forward)),
-        along_(dot(forward, force)),
-        turning_(cross(grasp.normal, force)),
-        across_(dot(forward, turning_)),
-        down_(-dot(grasp.normal, force)),
-        limit_(grasp.friction * down_) {}
+      : grasp_(grasp), forward_(forward), force_(force) {}
 
-  const auto& down() const { return down_; }
-  const auto& n_squared() const { return n_squared_; }
+  // Each is computed where it is asked for: no clipping needs them all.
+  auto n_squared() const { return dot(grasp_.normal, grasp_.normal); }
+  auto down() const { return -dot(grasp_.normal, force_); }
 
   std::optional<Clipping> decide() const {
-    const auto within_band = is_at_most(square(along_), square(grasp_.brake) * g_squared_);
+    const auto within_band = is_at_most(square(along()), square(grasp_.brake) * g_squared());
     if (!within_band) return std::nullopt;
     if (!*within_band) return decide_slip();
-    const auto within_disc = is_at_most(turning_squared(), square(limit_));
+    const auto within_disc = is_at_most(turning_squared(), square(limit()));
     if (!within_disc) return std::nullopt;
     return *within_disc ? Clipping::none : decide_slip();
   }
@@ -119,37 +111,56 @@ class ForceOnSurface {
     const Sign corner_sign = sign_of(corner);
     if (corner_sign == Sign::uncertain) return std::nullopt;
     if (corner_sign != Sign::positive) return Clipping::onto_circle;
-    const auto between_corners = is_at_most(square(across_), g_squared_ * corner);
+    const auto between_corners = is_at_most(square(across()), g_squared() * corner);
     if (!between_corners) return std::nullopt;
     if (*between_corners) return Clipping::onto_band_edge;
-    const auto beside_corner = is_at_most(square(grasp_.brake * across_), square(along_) * corner);
+    const auto beside_corner = is_at_most(square(grasp_.brake * across()), square(along()) * corner);
     if (!beside_corner) return std::nullopt;
     return *beside_corner ? Clipping::onto_corner : Clipping::onto_circle;
   }
 
-  // The slips of SPEC section 4, cases 1 to 3.
+  // The slips of SPEC section 4, cases 1 to 3. Without a brake components can be 0, which a difference of
+  // rounded numbers never shows.
   auto onto_band_edge() const {
-    const auto missing = (with_sign_of(along_, grasp_.brake * root(g_squared_)) - along_) / g_squared_;
-    const auto axis = [&](std::size_t k) { return force_[k] + missing * forward_[k]; };
-    return vector_of(axis);
+    using Corrected = decltype(corrected_to_band_edge());
+    using Projected = decltype(projected_on_line());
+    using Component =
+        Counted<Real, std::max(Corrected::value_type::roundings, Projected::value_type::roundings)>;
+    const auto component_of = [](const auto& v) {
+      return std::array<Component, 3>{Component(v[0]), Component(v[1]), Component(v[2])};
+    };
+    return grasp_.brake.size == 0 ? component_of(projected_on_line())
+                                  : component_of(corrected_to_band_edge());
+  }
+  auto corrected_to_band_edge() const {
+    const auto forward_squared = g_squared();
+    const auto ahead = along();
+    const auto missing =
+        (with_sign_of(ahead, grasp_.brake * root(forward_squared)) - ahead) / forward_squared;
+    return vector_of([&](std::size_t k) { return force_[k] + missing * forward_[k]; });
+  }
+  auto projected_on_line() const {
+    const auto length_squared = n_squared();
+    const auto aside = across() / (g_squared() * length_squared);
+    const auto pressed = down() / length_squared;
+    const auto across_axis = cross(forward_, grasp_.normal);
+    return vector_of([&](std::size_t k) { return aside * across_axis[k] - pressed * grasp_.normal[k]; });
   }
   auto onto_corner() const {
-    const auto inverse_length = one() / root(g_squared_);
-    const auto inverse = one() / n_squared_;
-    const auto ahead = with_sign_of(along_, grasp_.brake * inverse_length);
-    const auto aside = with_sign_of(across_, root(corner_squared()) * inverse_length * inverse);
-    const auto pressed = down_ * inverse;
+    const auto inverse_length = one() / root(g_squared());
+    const auto inverse = one() / n_squared();
+    const auto ahead = with_sign_of(along(), grasp_.brake * inverse_length);
+    const auto aside = with_sign_of(across(), root(corner_squared()) * inverse_length * inverse);
+    const auto pressed = down() * inverse;
     const auto across_axis = cross(forward_, grasp_.normal);
-    const auto axis = [&](std::size_t k) {
+    return vector_of([&](std::size_t k) {
       return (ahead * forward_[k] + aside * across_axis[k]) - pressed * grasp_.normal[k];
-    };
-    return vector_of(axis);
+    });
   }
   auto onto_circle() const {
-    const auto part = magnitude(limit_) / root(turning_squared());
-    const auto pressed = (one() - part) * (down_ / n_squared_);
-    const auto axis = [&](std::size_t k) { return part * force_[k] - pressed * grasp_.normal[k]; };
-    return vector_of(axis);
+    const auto part = magnitude(limit()) / root(turning_squared());
+    const auto pressed = (one() - part) * (down() / n_squared());
+    return vector_of([&](std::size_t k) { return part * force_[k] - pressed * grasp_.normal[k]; });
   }
 
   template <class Axis>
@@ -158,10 +169,17 @@ class ForceOnSurface {
     return CountedVector<Real, decltype(first)::roundings>{first, axis(1), axis(2)};
   }
 
-  // |F'_xy|^2 |n|^2
-  auto turning_squared() const { return square(turning_[0]) + square(turning_[1]) + square(turning_[2]); }
+  auto g_squared() const { return dot(forward_, forward_); }
+  auto along() const { return dot(forward_, force_); }
+  auto turning() const { return cross(grasp_.normal, force_); }
+  auto across() const { return dot(forward_, turning()); }
+  auto limit() const { return grasp_.friction * down(); }  // mu F'_z |n|
+  auto turning_squared() const {
+    const auto v = turning();
+    return square(v[0]) + square(v[1]) + square(v[2]);
+  }
   // s^2 |n|^2
-  auto corner_squared() const { return square(limit_) - square(grasp_.brake) * n_squared_; }
+  auto corner_squared() const { return square(limit()) - square(grasp_.brake) * n_squared(); }
 
   // No slip's sign of a component matters where it is uncertain: then the component is 0 (lemma slip-signs).
   template <int m, int k>
@@ -172,22 +190,9 @@ class ForceOnSurface {
 
   static Counted<Real, 0> one() { return counted<Real>(1); }
 
-  using Normal = CountedVector<Real, 0>;
-  using Forward = CountedVector<Real, g>;
-  using Force = CountedVector<Real, f>;
-  using Turning = CountedVector<Real, f + 2>;
-  using Down = decltype(dot(Normal(), Force()));
-
   const Grasp<Real, b>& grasp_;
-  const Forward& forward_;
-  const Force& force_;
-  const decltype(dot(Normal(), Normal())) n_squared_;
-  const decltype(dot(Forward(), Forward())) g_squared_;
-  const decltype(dot(Forward(), Force())) along_;
-  const Turning turning_;
-  const decltype(dot(Forward(), Turning())) across_;
-  const Down down_;
-  const decltype(Counted<Real, 0>() * Down()) limit_;  // mu F'_z |n|
+  const CountedVector<Real, g>& forward_;
+  const CountedVector<Real, f>& force_;
 };
 
 }  // namespace groundtruth::fast
