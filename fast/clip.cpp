@@ -44,6 +44,10 @@ class CountedClip {
   const ForceOnSurface<Real, 0, 0, 0> on_surface_;
 };
 
+GROUNDTRUTH_FLAT std::optional<Decision> decide_in_doubles(const ClipAsk& ask) {
+  return CountedClip<double>(ask).decide();
+}
+
 GROUNDTRUTH_FUSED std::optional<Vector> fused_force(const ClipAsk& ask, Clipping clipping) {
   return CountedClip<FusedPair>(ask).force(clipping);
 }
@@ -66,7 +70,7 @@ Vector without_signs_of_zeros(const Vector& v) { return {v[0] + 0.0, v[1] + 0.0,
 
 DecidedClip decide_clip(const ClipAsk& ask, Kernels kernels) {
   Stage stage = Stage::doubles;
-  auto decision = CountedClip<double>(ask).decide();
+  auto decision = decide_in_doubles(ask);
   if (!decision) {
     stage = Stage::double_pair;
     decision = CountedClip<Pair>(ask).decide();

@@ -3,6 +3,9 @@
 
 namespace groundtruth::fast {
 
+// With all that it calls inlined.
+#define GROUNDTRUTH_FLAT __attribute__((flatten))
+
 // The same bits; `fused` needs a processor with FMA.
 enum class Kernels { portable, fused };
 

@@ -49,20 +49,27 @@ struct PairWith {
 
   explicit operator double() const { return high; }
 
-  friend PairWith operator+(const PairWith& a, const PairWith& b) {
+  // Sums and products whose low part may be some last places of high long: lemma loose-pairs. To be summed
+  // on, and made tidy once.
+  static PairWith loose_sum(const PairWith& a, const PairWith& b) {
     const PairWith s = sum(a.high, b.high);
-    return sorted_sum(s.high, s.low + (a.low + b.low));
+    return {s.high, s.low + (a.low + b.low)};
   }
+  static PairWith loose_product(const PairWith& a, const PairWith& b) {
+    const PairWith p = product(a.high, b.high);
+    return {p.high, p.low + (a.high * b.low + a.low * b.high)};
+  }
+  static PairWith loose_product(double a, const PairWith& b) {
+    const PairWith p = product(a, b.high);
+    return {p.high, p.low + a * b.low};
+  }
+  PairWith tidy() const { return sorted_sum(high, low); }
+
+  friend PairWith operator+(const PairWith& a, const PairWith& b) { return loose_sum(a, b).tidy(); }
   friend PairWith operator-(const PairWith& a) { return {-a.high, -a.low}; }
   friend PairWith operator-(const PairWith& a, const PairWith& b) { return a + -b; }
-  friend PairWith operator*(const PairWith& a, const PairWith& b) {
-    const PairWith p = product(a.high, b.high);
-    return sorted_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
-  }
-  friend PairWith operator*(double a, const PairWith& b) {
-    const PairWith p = product(a, b.high);
-    return sorted_sum(p.high, p.low + a * b.low);
-  }
+  friend PairWith operator*(const PairWith& a, const PairWith& b) { return loose_product(a, b).tidy(); }
+  friend PairWith operator*(double a, const PairWith& b) { return loose_product(a, b).tidy(); }
   friend PairWith operator/(const PairWith& a, const PairWith& b) {
     const double first = a.high / b.high;
     const PairWith rest = a - first * b;

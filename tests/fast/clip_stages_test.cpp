@@ -18,6 +18,7 @@ void expect_stages(const ClipAsk& ask, Stage decisions, Stage force) {
   EXPECT_EQ(got.decisions, decisions);
   EXPECT_EQ(got.force, force);
   EXPECT_EQ(got.answer, exact_stage::clip(ask));
+  if (best_kernels() == Kernels::portable) return;
   const DecidedClip fused = decide_clip(ask, Kernels::fused);
   EXPECT_EQ(fused.decisions, decisions);
   EXPECT_EQ(fused.force, force == Stage::extended ? Stage::double_pair : force);
@@ -95,7 +96,7 @@ TEST(FastClipStages, AgreeOverTheWholeRangeOfDoubles) {
                       std::abs(finite(near(any())))};
     const DecidedClip got = decide_clip(ask, Kernels::portable);
     ASSERT_EQ(got.answer, exact_stage::clip(ask)) << i;
-    ASSERT_EQ(got.answer, decide_clip(ask, Kernels::fused).answer) << i;
+    ASSERT_EQ(got.answer, decide_clip(ask).answer) << i;
     const auto* clipped = std::get_if<Clipped>(&got.answer);
     slips += clipped && clipped->grip == Grip::slip;
   }
