@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <boost/container/static_vector.hpp>
-#include <groundtruth/fast/crossing.hpp>
+#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
 #include <groundtruth/fast/undecided.hpp>
@@ -41,7 +41,8 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
   const Face face = sole_face(scene, probe, result);
   if (face.leaf == no_leaf) return exactly(scene, probe, ask, result);
   const HitPlace place{result.lower(), result.upper, face, face.half_space};
-  return on_face(scene, probe, ask, place, Stage::doubles, correctly_rounded_crossing(face.half_space, ask));
+  return on_face(scene, probe, ask, place, Stage::doubles,
+                 correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask));
 }
 
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }

@@ -60,7 +60,7 @@ void OpenSolid::add_general(const Contender& contender) {
 
 RoundedLambda OpenSolid::lambda(const exact_stage::FirstPoint& point, const EntryAsk& ask) const {
   if (!point.crossed) return {ask.lambda_first + 0.0, Stage::none};
-  return correctly_rounded_crossing(leaf(*point.crossed), ask);
+  return correctly_rounded_crossing(*scene_.parts().kernels, leaf(*point.crossed), ask);
 }
 
 namespace {

@@ -68,7 +68,7 @@ class Strut {
 std::optional<MaterialIndex> material_at(const Scene& scene, Leaf leaf, const Strut& strut,
                                          const Line<SurdNumbers>& place) {
   std::optional<MaterialIndex> material;
-  for (auto rule_place = scene.rule_of_leaf()[leaf]; rule_place;
+  for (auto rule_place = scene.rule_of(static_cast<std::uint32_t>(leaf)); rule_place;
        rule_place = scene.rules()[*rule_place].outer_rule) {
     const MaterialRule& rule = scene.rules()[*rule_place];
     if (rule.region) {

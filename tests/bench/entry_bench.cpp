@@ -15,36 +15,12 @@
 #include <groundtruth/cases/scene_builders.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/entry_point.hpp>
-#include <groundtruth/tests/bench/asks.hpp>
+#include <groundtruth/tests/bench/timed_scenes.hpp>
 
 namespace groundtruth::bench {
 namespace {
 
 constexpr std::size_t asks_per_set = 30000;
-constexpr double houses_100k = 317 * 24, houses_1k = 32 * 24;
-
-struct BenchScene {
-  std::string name;
-  std::function<Scene()> build;
-  Extent extent;
-};
-
-std::vector<BenchScene> scenes() {
-  return {
-      {"house", cases::house, {10, 10, -5, 0, 8}},
-      {"runway", [] { return cases::runway_of(1000); }, {10000, 30, 0, 0, 1.5}},
-      {"town-1k", [] { return cases::town_of(1000, 1); }, {houses_1k, houses_1k, 0, 0, 8}},
-      {"town-100k", [] { return cases::town_of(100000, 1); }, {houses_100k, houses_100k, 0, 0, 8}},
-      {"hills-20k", [] { return cases::hills_of(100); }, {800, 800, 0, 0, 5}},
-  };
-}
-
-struct AskKind {
-  std::string name;
-  std::vector<EntryAsk> (*make)(const Extent&, std::size_t);
-};
-
-const std::vector<AskKind> ask_kinds{{"strut", struts}, {"taxi", taxi}, {"long", long_ones}};
 
 // Asks one after the other, round and round; the share of hits goes with the time.
 template <class Answer>
@@ -58,7 +34,7 @@ void ask_all(benchmark::State& state, const std::vector<EntryAsk>& asks, Answer 
   state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
 }
 
-void register_scene(const BenchScene& scene) {
+void register_scene(const TimedScene& scene) {
   struct Prepared {
     Scene written;
     fast::Scene compiled;
@@ -75,7 +51,7 @@ void register_scene(const BenchScene& scene) {
     }
     return **prepared;
   };
-  for (const AskKind& kind : ask_kinds) {
+  for (const AskKind& kind : ask_kinds()) {
     const std::vector<EntryAsk> asks = kind.make(scene.extent, asks_per_set);
     const std::string name = scene.name + "/" + kind.name + "/";
     benchmark::RegisterBenchmark((name + "fast").c_str(), [=](benchmark::State& state) {
@@ -179,7 +155,7 @@ void register_ties(const std::string& name, const Scene& scene) {
 }  // namespace groundtruth::bench
 
 int main(int count, char** arguments) {
-  for (const auto& scene : groundtruth::bench::scenes()) groundtruth::bench::register_scene(scene);
+  for (const auto& scene : groundtruth::bench::timed_scenes()) groundtruth::bench::register_scene(scene);
   groundtruth::bench::register_nested();
   groundtruth::bench::register_ties("town-1k", groundtruth::cases::town_of(1000, 1));
   groundtruth::bench::register_ties("runway", groundtruth::cases::runway_of(200));
