@@ -13,10 +13,10 @@ namespace groundtruth::cases {
 
 std::vector<Case> corpus_of_faces();
 std::vector<Case> corpus_of_expressions();
-std::vector<Case> corpus_of_numbers();
+std::vector<Case> corpus_of_ranges();
 std::vector<Case> corpus_of_clips();
 std::vector<Case> corpus_of_landings();
-std::vector<Case> corpus_of_rolling();
+std::vector<Case> corpus_of_contacts();
 std::vector<Case> corpus_of_slipping();
 
 using Flags = std::vector<std::string>;

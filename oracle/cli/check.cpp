@@ -7,13 +7,12 @@
 #include <fmt/core.h>
 
 #include <groundtruth/campaign/campaign.hpp>
-#include <groundtruth/cases/builtin_scenes.hpp>
 #include <groundtruth/cases/shape_parts.hpp>
 #include <groundtruth/implementations/engine.hpp>
 #include <groundtruth/report/check_report.hpp>
 #include <groundtruth/text/ask_text.hpp>
-#include <groundtruth/text/scene_text.hpp>
 
+#include "named_pack.hpp"
 #include "progress_bar.hpp"
 #include "subcommand.hpp"
 
@@ -28,26 +27,6 @@ struct Options {
   std::string show;
   bool json = false;
 };
-
-struct NamedPack {
-  std::string name;
-  std::vector<Scene> pack;
-};
-
-NamedPack pack_named(const std::string& name) {
-  if (const auto* builtin = cases::find_builtin_scene(name)) return {name, builtin->build()};
-  return {name, {read_scene_file(name)}};
-}
-
-std::vector<NamedPack> packs_of(const Options& options) {
-  std::vector<NamedPack> packs;
-  for (const std::string& name : options.scenes) packs.push_back(pack_named(name));
-  if (!options.scenes.empty()) return packs;
-  for (const auto& builtin : cases::builtin_scenes()) {
-    packs.push_back({std::string(builtin.name), builtin.build()});
-  }
-  return packs;
-}
 
 // SCENE:PART:INDEX, as the report writes it; a file's name may have colons in it.
 struct AskName {
@@ -116,7 +95,7 @@ void print(const report::CheckedScene& checked, const Options& options) {
 Exit run(const Options& options) {
   if (!options.show.empty()) return show(options);
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<NamedPack> packs = packs_of(options);
+  const std::vector<NamedPack> packs = packs_named(options.scenes);
   if (!options.json) fmt::print("seed {}, {} asks, {} jobs\n\n", options.seed, options.cases, options.jobs);
   std::uint64_t wrong = 0;
   ProgressBar bar;

@@ -28,6 +28,8 @@ Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_judge(CLI::App& program);
 Subcommand add_merge(CLI::App& program);
+Subcommand add_scene(CLI::App& program);
 Subcommand add_validate(CLI::App& program);
+Subcommand add_vectors(CLI::App& program);
 
 }  // namespace groundtruth::cli

@@ -1,7 +1,10 @@
+#include <chrono>
+
 #include <groundtruth/fast/clip.hpp>
 #include <groundtruth/fast/entry_point.hpp>
 #include <groundtruth/fast/step.hpp>
 #include <groundtruth/implementations/adapters.hpp>
+#include <groundtruth/implementations/compilation.hpp>
 
 namespace groundtruth::implementations {
 namespace {
@@ -33,5 +36,19 @@ class FastEngine : public Engine {
 }  // namespace
 
 std::unique_ptr<const Engine> make_fast_engine() { return std::make_unique<FastEngine>(); }
+
+Compilation compilation_of(const Scene& scene) {
+  const auto start = std::chrono::steady_clock::now();
+  const fast::Scene compiled = fast::compile(scene);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  Compilation compilation{compiled.solid().leaves.size(),
+                          compiled.parts().cells.cells.size(),
+                          compiled.parts().general.size(),
+                          taken.count(),
+                          {}};
+  for (const fast::LeftOut& one : compiled.left_out())
+    compilation.left_out.push_back({std::string(name_of(one.what)), one.count, one.why});
+  return compilation;
+}
 
 }  // namespace groundtruth::implementations

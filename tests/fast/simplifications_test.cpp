@@ -1,7 +1,6 @@
 // Leaving out never changes an answer; what is left out is reported.
 
 #include <algorithm>
-#include <bit>
 
 #include <gtest/gtest.h>
 #include <groundtruth/cases/ask_source.hpp>
@@ -107,45 +106,6 @@ TEST(FastBulk, GivesTheAnswersOfOneByOne) {
     for (std::size_t i = 0; i < asks.size(); ++i)
       ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
   }
-}
-
-class Hash {
- public:
-  void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3; }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-  void add(const Vector& v) {
-    for (const double x : v) add(x);
-  }
-  void add(const EntryAnswer& answer) {
-    add(std::uint64_t{answer.index()});
-    if (const auto* inside = std::get_if<Inside>(&answer)) add(inside->lambda);
-    const auto* border = std::get_if<Border>(&answer);
-    if (!border) return;
-    add(border->lambda);
-    add(std::uint64_t{border->leaf});
-    add(border->normal_in_world);
-    add(border->material ? std::uint64_t{*border->material} : ~std::uint64_t{});
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-};
-
-// Over g++ and clang++, -O0 to -O3, and processors: the asks and the answers are these bits.
-TEST(FastBits, AreTheSameEverywhere) {
-  Hash asked, answered;
-  std::uint64_t seed = 100;
-  for (const Scene& scene : scenes()) {
-    const fast::Scene compiled = fast::compile(scene);
-    for (const EntryAsk& ask : asks_about(scene, ++seed, 1000)) {
-      asked.add(ask.from);
-      asked.add(ask.to);
-      answered.add(fast::entry_point(compiled, ask));
-    }
-  }
-  EXPECT_EQ(asked.value(), 242138992694752446u) << "the asks themselves differ";
-  EXPECT_EQ(answered.value(), 17347377618922684715u);
 }
 
 }  // namespace

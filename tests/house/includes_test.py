@@ -21,7 +21,8 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/validation": {"problem", "text", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "judge", "problem", "validation"},
+    "oracle/report": {"validation", "campaign", "cases", "implementations", "judge", "problem", "text"},
+    "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report"},
 }
 TOP_LEVEL = {

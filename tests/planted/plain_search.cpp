@@ -40,7 +40,8 @@ std::optional<Hit> PlainSearch::first(const Shape& shape, const Ratio& start) {
     std::optional<Hit> operator()(const Covered& shape) const { return search.first(*shape.over, start); }
     std::optional<Hit> operator()(const Painted& shape) const { return search.first(*shape.over, start); }
   };
-  return std::visit(Visit{*this, start}, shape.expression);
+  ++visits_;
+  return has_given_up() ? std::nullopt : std::visit(Visit{*this, start}, shape.expression);
 }
 
 double PlainSearch::distance(const HalfSpace& half_space, const Vector& x) const {
@@ -56,6 +57,7 @@ std::optional<Hit> PlainSearch::first_of_half_space(const HalfSpace& half_space,
   if (at_start == 0) return Hit{start, &half_space};
   const Ratio crossing{near, -slope};
   if (!(slope < 0) || last_ < crossing) return std::nullopt;
+  if (crossing < start) return Hit{start, &half_space};  // rounding
   return Hit{crossing, &half_space};
 }
 
@@ -77,8 +79,12 @@ std::optional<Hit> PlainSearch::first_of_intersection(std::span<const Shape> ope
     for (const Shape& operand : operands) {
       const std::optional<Hit> hit = first(operand, common.lambda);
       if (!hit) return std::nullopt;
-      if (common.lambda < hit->lambda) moves = true;
-      if (moves || hit->face != nullptr) common = {hit->lambda, hit->face ? hit->face : common.face};
+      if (common.lambda < hit->lambda) {
+        moves = true;
+        common = *hit;
+      } else if (common.face == nullptr) {
+        common.face = hit->face;
+      }
     }
   }
   return common;
@@ -86,9 +92,11 @@ std::optional<Hit> PlainSearch::first_of_intersection(std::span<const Shape> ope
 
 EntryAnswer deviation(const Right& right, const EntryAsk& ask, PlainSearch& wrong) {
   const Shape& shape = right.scene().shape;
-  const std::optional<Hit> expected = PlainSearch(ask).search(shape);
+  PlainSearch plain(ask);
+  const std::optional<Hit> expected = plain.search(shape);
   const std::optional<Hit> hit = wrong.search(shape);
-  return agree(hit, expected) ? right.entry(ask) : answer_of(hit, ask, right);
+  const bool is_known = !plain.has_given_up() && !wrong.has_given_up();
+  return is_known && !agree(hit, expected) ? answer_of(hit, ask, right) : right.entry(ask);
 }
 
 }  // namespace groundtruth::planted

@@ -27,6 +27,8 @@ class PlainSearch {
   virtual ~PlainSearch() = default;
 
   std::optional<Hit> search(const Shape& shape) { return first(shape, {ask_.lambda_first, 1}); }
+  // Rounds within rounds of deeply nested intersections take for ever: then the search is given up.
+  bool has_given_up() const { return visits_ > most_visits; }
 
  protected:
   // The first point of the shape from `start` on.
@@ -41,7 +43,10 @@ class PlainSearch {
 
  private:
   EntryAsk ask_;
+  static constexpr unsigned most_visits = 100000;
+
   Ratio last_;
+  unsigned visits_ = 0;
 };
 
 // The wrong search's answer where it differs from the plain one's, else the right answer.

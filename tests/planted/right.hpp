@@ -12,6 +12,7 @@ namespace groundtruth::planted {
 class Right {
  public:
   explicit Right(Scene scene);
+  Right(const Right&) = delete;  // leaves() point into scene()
 
   const Scene& scene() const { return scene_; }
   const std::vector<PlacedLeaf>& leaves() const { return leaves_; }

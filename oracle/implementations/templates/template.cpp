@@ -16,8 +16,8 @@ Inside inside(const Json& shape, const Json& ask, double at, std::vector<Face>& 
   if (shape.HasMember("halfspace")) {
     const Json &plane = shape["halfspace"], &from = ask["from"], &to = ask["to"];
     double distance = -plane[3].GetDouble(), slope = 0;
-    for (int i = 0; i < 3; ++i) distance += plane[i].GetDouble() * from[i].GetDouble();
-    for (int i = 0; i < 3; ++i) slope += plane[i].GetDouble() * (to[i].GetDouble() - from[i].GetDouble());
+    for (unsigned i = 0; i < 3; ++i) distance += plane[i].GetDouble() * from[i].GetDouble();
+    for (unsigned i = 0; i < 3; ++i) slope += plane[i].GetDouble() * (to[i].GetDouble() - from[i].GetDouble());
     const double lambda = -distance / slope;
     faces.push_back({{plane[0].GetDouble(), plane[1].GetDouble(), plane[2].GetDouble()}, lambda, slope < 0});
     const bool is_outside = slope == 0 ? distance > 0 : slope < 0 ? at < lambda : at > lambda;
