@@ -17,7 +17,9 @@ int run(int argc, char** argv) {
       groundtruth::cli::add_answer(program),
       groundtruth::cli::add_check(program),
       groundtruth::cli::add_judge(program),
+      groundtruth::cli::add_merge(program),
       groundtruth::cli::add_scene(program),
+      groundtruth::cli::add_validate(program),
       groundtruth::cli::add_vectors(program),
   };
   try {

@@ -20,9 +20,10 @@ ALLOWED = {
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "cases", "implementations", "judge", "problem", "text"},
+    "oracle/validation": {"problem", "text", "judge", "cases", "implementations"},
+    "oracle/report": {"validation", "campaign", "cases", "implementations", "judge", "problem", "text"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -33,9 +34,10 @@ LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
-    "rapidjson/": {"reference/text", "oracle/report", "oracle/implementations"},  # the last for its template only
+    # In oracle/implementations for its template only.
+    "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation"},
 }
 
 
