@@ -4,10 +4,11 @@
 #include <map>
 
 #include <groundtruth/diagnosis/inputs.hpp>
-#include <groundtruth/diagnosis/moves.hpp>
 
 namespace groundtruth::diagnosis {
 namespace {
+
+using Cases = std::vector<cases::Case>;
 
 // Other values of one number, as far as they may be asked.
 Cases with_other_values(const cases::Case& from, const std::string& name, double value) {
