@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <groundtruth/diagnosis/inputs.hpp>
@@ -49,6 +50,20 @@ void add_entry_moves(std::vector<cases::Case>& result, const cases::Case& from, 
   });
 }
 
+// Together where a limit binds them: friction with brake, and all forces by one scale.
+void add_clip_moves(std::vector<cases::Case>& result, const cases::Case& from, const ClipAsk& ask) {
+  add<ClipAsk>(result, from, [](ClipAsk& a) { a.min_uprightness = default_min_uprightness; });
+  add<ClipAsk>(result, from, [](ClipAsk& a) { a.normal_in_wheel = {0, 0, -1}; });
+  if (ask.friction > 0) add<ClipAsk>(result, from, [](ClipAsk& a) { a.brake /= a.friction, a.friction = 1; });
+  for (const double force : ask.force_in_wheel) {
+    if (force == 0) continue;
+    add<ClipAsk>(result, from, [scale = std::abs(force)](ClipAsk& a) {
+      for (double& x : a.force_in_wheel) x /= scale;
+      a.brake /= scale;
+    });
+  }
+}
+
 void add_step_moves(std::vector<cases::Case>& result, const cases::Case& from, const StepAsk& ask) {
   add<StepAsk>(result, from, [](StepAsk& a) { a.state = Free{}; });
   add<StepAsk>(result, from, [](StepAsk& a) { a.frame.world_from_wheel = {1, 0, 0, 0}; });
@@ -85,10 +100,7 @@ bool with_ordinary_ask(const cases::Case& from, const Take& take) {
   std::vector<cases::Case> result;
   if (const auto* entry = std::get_if<EntryAsk>(&from.ask)) add_entry_moves(result, from, *entry);
   if (const auto* step = std::get_if<StepAsk>(&from.ask)) add_step_moves(result, from, *step);
-  if (std::holds_alternative<ClipAsk>(from.ask)) {
-    add<ClipAsk>(result, from, [](ClipAsk& a) { a.min_uprightness = default_min_uprightness; });
-    add<ClipAsk>(result, from, [](ClipAsk& a) { a.normal_in_wheel = {0, 0, -1}; });
-  }
+  if (const auto* clip = std::get_if<ClipAsk>(&from.ask)) add_clip_moves(result, from, *clip);
   if (!std::holds_alternative<EntryAsk>(from.ask)) {
     result.push_back(from);
     result.back().scene = {{}, {Nothing{}}};

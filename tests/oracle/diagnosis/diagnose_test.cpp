@@ -7,7 +7,7 @@ namespace groundtruth::diagnosis {
 namespace {
 
 const Asking& asking() {
-  static const Asking asking(40);
+  static const Asking asking(20);
   return asking;
 }
 
@@ -25,7 +25,7 @@ TEST(Diagnose, NamesEachErratum) {
 
 TEST(Diagnose, NamesPairsOfErrata) {
   const std::vector<Suspect> pairs = pairs_of_errata();
-  for (std::size_t i = 0; i < pairs.size(); i += 9) {
+  for (std::size_t i = 0; i < pairs.size(); i += 12) {
     const auto diagnosis = diagnosis_of(*engine_of(pairs[i]));
     EXPECT_TRUE(names(diagnosis, pairs[i].name)) << pairs[i].name << ": " << told(diagnosis);
   }

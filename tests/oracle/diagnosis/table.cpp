@@ -46,7 +46,7 @@ void print_planted(const Asking& asking) {
 
 int main(int count, char** arguments) {
   using namespace groundtruth::diagnosis;
-  const Asking asking(60);
+  const Asking asking(30);
   const std::string which = count > 1 ? arguments[1] : "";
   if (which.empty() || which == "errata") print_errata(asking);
   if (which.empty() || which == "slips") print_slips(asking);

@@ -57,7 +57,8 @@ Judged Asking::judge(const implementations::Engine& subject) const {
     const auto on_scene = subject.on(part.scene);
     for (const Asked& one : part.asked) {
       const Answer got = on_scene->answer(one.asked.ask).answer;
-      const bool is_accepted = part.judge.judge(one.asked.ask, got).is_accepted();
+      // The judge takes its time, and most are the same bits.
+      const bool is_accepted = got == one.exact || part.judge.judge(one.asked.ask, got).is_accepted();
       (is_accepted ? judged.accepted : judged.failures).push_back({one.asked, got, one.exact});
     }
   }
