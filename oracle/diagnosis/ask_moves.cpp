@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <groundtruth/diagnosis/inputs.hpp>
 #include <groundtruth/diagnosis/moves.hpp>
 
@@ -5,7 +9,7 @@ namespace groundtruth::diagnosis {
 namespace {
 
 template <class AskKind, class Change>
-void add(Cases& result, const cases::Case& from, Change change) {
+void add(std::vector<cases::Case>& result, const cases::Case& from, Change change) {
   result.push_back(from);
   change(std::get<AskKind>(result.back().ask));
 }
@@ -24,7 +28,7 @@ void move_solid(Scene& scene, const Vector& by) {
 Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector opposite(const Vector& v) { return {0 - v[0], 0 - v[1], 0 - v[2]}; }
 
-void add_entry_moves(Cases& result, const cases::Case& from, const EntryAsk& ask) {
+void add_entry_moves(std::vector<cases::Case>& result, const cases::Case& from, const EntryAsk& ask) {
   add<EntryAsk>(result, from, [](EntryAsk& a) { a.lambda_first = 0, a.lambda_last = 1; });
   add<EntryAsk>(result, from, [](EntryAsk& a) { a.lambda_first = 0; });
   add<EntryAsk>(result, from, [](EntryAsk& a) { a.lambda_last = 1; });
@@ -46,7 +50,21 @@ void add_entry_moves(Cases& result, const cases::Case& from, const EntryAsk& ask
   });
 }
 
-void add_step_moves(Cases& result, const cases::Case& from, const StepAsk& ask) {
+// Together where a limit binds them: friction with brake, and all forces by one scale.
+void add_clip_moves(std::vector<cases::Case>& result, const cases::Case& from, const ClipAsk& ask) {
+  add<ClipAsk>(result, from, [](ClipAsk& a) { a.min_uprightness = default_min_uprightness; });
+  add<ClipAsk>(result, from, [](ClipAsk& a) { a.normal_in_wheel = {0, 0, -1}; });
+  if (ask.friction > 0) add<ClipAsk>(result, from, [](ClipAsk& a) { a.brake /= a.friction, a.friction = 1; });
+  for (const double force : ask.force_in_wheel) {
+    if (force == 0) continue;
+    add<ClipAsk>(result, from, [scale = std::abs(force)](ClipAsk& a) {
+      for (double& x : a.force_in_wheel) x /= scale;
+      a.brake /= scale;
+    });
+  }
+}
+
+void add_step_moves(std::vector<cases::Case>& result, const cases::Case& from, const StepAsk& ask) {
   add<StepAsk>(result, from, [](StepAsk& a) { a.state = Free{}; });
   add<StepAsk>(result, from, [](StepAsk& a) { a.frame.world_from_wheel = {1, 0, 0, 0}; });
   add<StepAsk>(result, from, [](StepAsk& a) { a.frame.world_from_wheel = {0, 1, 0, 0}; });
@@ -78,19 +96,17 @@ void add_step_moves(Cases& result, const cases::Case& from, const StepAsk& ask) 
 
 }  // namespace
 
-Cases with_ordinary_ask(const cases::Case& from) {
-  Cases result;
+bool with_ordinary_ask(const cases::Case& from, const Take& take) {
+  std::vector<cases::Case> result;
   if (const auto* entry = std::get_if<EntryAsk>(&from.ask)) add_entry_moves(result, from, *entry);
   if (const auto* step = std::get_if<StepAsk>(&from.ask)) add_step_moves(result, from, *step);
-  if (std::holds_alternative<ClipAsk>(from.ask)) {
-    add<ClipAsk>(result, from, [](ClipAsk& a) { a.min_uprightness = default_min_uprightness; });
-    add<ClipAsk>(result, from, [](ClipAsk& a) { a.normal_in_wheel = {0, 0, -1}; });
-  }
+  if (const auto* clip = std::get_if<ClipAsk>(&from.ask)) add_clip_moves(result, from, *clip);
   if (!std::holds_alternative<EntryAsk>(from.ask)) {
     result.push_back(from);
     result.back().scene = {{}, {Nothing{}}};
   }
-  return result;
+  return std::all_of(result.begin(), result.end(),
+                     [&](cases::Case& candidate) { return take(std::move(candidate)); });
 }
 
 }  // namespace groundtruth::diagnosis

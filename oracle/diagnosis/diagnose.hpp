@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <groundtruth/cases/case.hpp>
 #include <groundtruth/problem/answer.hpp>
@@ -24,12 +25,13 @@ struct Diagnosis {
   std::size_t failures = 0;      // that it was tried on
   std::size_t contradicted = 0;  // of the accepted answers: it answers otherwise
   std::size_t accepted = 0;
+  std::vector<std::string> equals;  // others of as few errors that do as well: nothing asked tells them apart
 };
 
 // The error that explains most and contradicts least: single errata and slips first, pairs of errata if none
-// of these explains nearly all. Nothing if none explains at least nine of ten failures, or if what it
-// explains is outweighed by what it contradicts. Looks at a bounded number of witnesses: the first of each
-// list.
+// of these explains everything. Nothing unless it explains at least nine of ten failures, and contradicts at
+// most one in fifty of the accepted answers. Looks at a bounded number of witnesses, taken in turns from each
+// kind of ask and of difference; those with small scenes first.
 std::optional<Diagnosis> diagnose(std::span<const Witness> failures, std::span<const Witness> accepted);
 
 }  // namespace groundtruth::diagnosis

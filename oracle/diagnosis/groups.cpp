@@ -50,7 +50,7 @@ class Gatherer {
     // In turns, so that each kind gets its share of the budget.
     for (std::size_t turn = 0; has_turn(by_kind, turn); ++turn)
       for (const auto& [kind, members] : by_kind)
-        if (turn < members.size()) take(members, turn);
+        if (turn < members.size()) take(kind, members[turn], turn);
     std::stable_sort(groups_.begin(), groups_.end(),
                      [](const Group& a, const Group& b) { return a.members.size() > b.members.size(); });
     return std::move(groups_);
@@ -64,34 +64,36 @@ class Gatherer {
                        [&](const auto& kind) { return turn < kind.second.size(); });
   }
 
-  void take(const std::vector<std::size_t>& members, std::size_t turn) {
-    const std::size_t place = members[turn];
-    if (turn < most_turns && shrunk_ < 2 * budget_.most_groups) {
-      add(place);
-      return;
-    }
-    const auto home = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
-      return std::find(members.begin(), members.end(), group.members.front()) != members.end();
-    });
-    if (home != groups_.end()) home->members.push_back(place);
+  void take(const std::string& kind, std::size_t place, std::size_t turn) {
+    const auto home = first_of_kind_.find(kind);
+    const bool is_home_enough = turn >= most_turns || shrunk_ >= 2 * budget_.most_groups;
+    if (home != first_of_kind_.end() && is_home_enough)
+      groups_[home->second].members.push_back(place);
+    else
+      first_of_kind_.emplace(kind, add(kind, place));
   }
 
-  void add(std::size_t place) {
+  // The group that the failure joins, perhaps a new one.
+  std::size_t add(const std::string& kind, std::size_t place) {
     const Failure& failure = failures_[place];
     const StillFail still_fail = still_fail_(failure);
     Shrunk shrunk = shrink(failure.failing, still_fail, budget_.of_one);
     ++shrunk_;
     const std::string signature = signature_of(shrunk.smallest);
-    const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
-      return group.kind == failure.kind && group.signature == signature;
+    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& known) {
+      return known.kind == failure.kind && known.signature == signature;
     });
-    if (known != groups_.end()) {
-      known->members.push_back(place);
-      return;
+    const auto home = first_of_kind_.find(kind);
+    const bool is_full = groups_.size() >= budget_.most_groups && home != first_of_kind_.end();
+    if (group == groups_.end() && is_full)
+      group = groups_.begin() + static_cast<std::ptrdiff_t>(home->second);
+    if (group == groups_.end()) {
+      auto does_not_matter = inputs_that_do_not_matter(shrunk.smallest, still_fail);
+      groups_.push_back({failure.kind, signature, std::move(shrunk), std::move(does_not_matter), {}});
+      group = std::prev(groups_.end());
     }
-    if (groups_.size() == budget_.most_groups) return;
-    auto does_not_matter = inputs_that_do_not_matter(shrunk.smallest, still_fail);
-    groups_.push_back({failure.kind, signature, std::move(shrunk), std::move(does_not_matter), {place}});
+    group->members.push_back(place);
+    return static_cast<std::size_t>(group - groups_.begin());
   }
 
   std::span<const Failure> failures_;
@@ -99,6 +101,7 @@ class Gatherer {
   const GroupBudget budget_;
   std::size_t shrunk_ = 0;
   std::vector<Group> groups_;
+  std::map<std::string, std::size_t> first_of_kind_;  // places in groups_
 };
 
 }  // namespace

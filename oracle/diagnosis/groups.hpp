@@ -33,8 +33,9 @@ struct GroupBudget {
 // case when its numbers are left out.
 std::string signature_of(const cases::Case& with);
 
-// Failures of one kind whose smallest cases have one signature are one group; those that were not shrunk, as
-// the budget was spent, count with the first group of their kind. Largest group first. `still_fail(f)` tells
+// Failures of one kind whose smallest cases have one signature are one group. Those that were not shrunk, or
+// for which there is no room, count with the first group of their kind, so that each failure is a member of
+// one group; each kind has a group, even beyond `most_groups`. Largest group first. `still_fail(f)` tells
 // which cases fail as failure f does.
 std::vector<Group> gather(std::span<const Failure> failures,
                           const std::function<StillFail(const Failure&)>& still_fail,

@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <groundtruth/diagnosis/inputs.hpp>
-#include <groundtruth/diagnosis/moves.hpp>
 
 namespace groundtruth::diagnosis {
 namespace {
 
+using Cases = std::vector<cases::Case>;
+
 // Other values of one number, as far as they may be asked.
 Cases with_other_values(const cases::Case& from, const std::string& name, double value) {
   Cases result;
-  for (const double other :
-       {0.0, 1.0, value + 0.375, value * 2, value / 2, value * 1.0625, -value, value - 3}) {
-    if (other == value) continue;
+  std::set<double> others{0.0,       1.0,       -1.0,           2.0,    value + 0.375, value - 0.625,
+                          value * 2, value / 2, value * 1.0625, -value, value - 3};
+  others.erase(value);
+  for (const double other : others) {
     cases::Case candidate = from;
     for_each_number(candidate, [&](const std::string& at, double& number) {
       if (at == name) number = other;

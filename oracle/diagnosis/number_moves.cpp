@@ -1,5 +1,6 @@
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include <groundtruth/diagnosis/inputs.hpp>
 #include <groundtruth/diagnosis/moves.hpp>
@@ -25,38 +26,33 @@ std::vector<double> simpler(double number) {
   return result;
 }
 
+template <class Which>
+cases::Case with_numbers(const cases::Case& from, double value, Which is_meant) {
+  cases::Case candidate = from;
+  std::size_t at = 0;
+  for_each_number(candidate, [&](const std::string&, double& number) {
+    if (is_meant(at++, number)) number = value;
+  });
+  return candidate;
+}
+
 }  // namespace
 
-Cases with_simpler_numbers(const cases::Case& from) {
-  Cases result;
+bool with_simpler_numbers(const cases::Case& from, const Take& take) {
+  std::vector<double> numbers;
   cases::Case copy = from;
-  std::multiset<double> values;
-  for_each_number(copy, [&](const std::string&, double& number) { values.insert(number); });
+  for_each_number(copy, [&](const std::string&, double& number) { numbers.push_back(number); });
+  const std::multiset<double> values(numbers.begin(), numbers.end());
   for (auto value = values.begin(); value != values.end(); value = values.upper_bound(*value)) {
     if (values.count(*value) < 2) continue;
-    for (const double candidate : simpler(*value)) {
-      result.push_back(from);
-      for_each_number(result.back(), [&](const std::string&, double& number) {
-        if (number == *value) number = candidate;
-      });
-    }
+    for (const double candidate : simpler(*value))
+      if (!take(with_numbers(from, candidate, [&](std::size_t, double number) { return number == *value; })))
+        return false;
   }
-  const std::size_t count = values.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    std::size_t at = 0;
-    double value = 0;
-    for_each_number(copy, [&](const std::string&, double& number) {
-      if (at++ == i) value = number;
-    });
-    for (const double candidate : simpler(value)) {
-      result.push_back(from);
-      at = 0;
-      for_each_number(result.back(), [&](const std::string&, double& number) {
-        if (at++ == i) number = candidate;
-      });
-    }
-  }
-  return result;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const double candidate : simpler(numbers[i]))
+      if (!take(with_numbers(from, candidate, [&](std::size_t at, double) { return at == i; }))) return false;
+  return true;
 }
 
 }  // namespace groundtruth::diagnosis

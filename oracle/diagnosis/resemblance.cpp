@@ -76,18 +76,31 @@ double difference(const Vector& a, const Vector& b) {
   return worst;
 }
 
-double size(const Vector& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+double few_ulps(const Vector& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) * 0x1p-46;
+}
 
 }  // namespace
 
-bool resembles(const Answer& suspected, const Answer& got, const Answer& exact) {
+bool shares_error(const Answer& suspected, const Answer& got, const Answer& exact) {
   if (!same_kind(suspected, got)) return false;
+  if (!same_kind(exact, got)) return resembles(suspected, got);
   const Numbers a = numbers_of(suspected), b = numbers_of(got), c = numbers_of(exact);
+  bool is_right = true;
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const double error =
-        a.size() == c.size() && b.size() == c.size() ? difference(b[i], c[i]) : size(b[i]) * 1e-6;
-    if (!(difference(a[i], b[i]) <= std::max(error / 1000, size(b[i]) * 0x1p-46))) return false;
+    const double error = difference(b[i], c[i]);
+    is_right = is_right && difference(a[i], c[i]) == 0;
+    if (!(difference(a[i], b[i]) <= std::max(error / 1000, std::min(error / 4, few_ulps(b[i])))))
+      return false;
   }
+  return !is_right;
+}
+
+bool resembles(const Answer& suspected, const Answer& got) {
+  if (!same_kind(suspected, got)) return false;
+  const Numbers a = numbers_of(suspected), b = numbers_of(got);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (!(difference(a[i], b[i]) <= few_ulps(b[i]))) return false;
   return true;
 }
 

@@ -6,7 +6,11 @@
 namespace groundtruth::diagnosis {
 
 // Same kinds and faces, and numbers that are a thousand times nearer to each other than `got` is to `exact`,
-// or within a few ulps: an error is the same although one made it in doubles and the other did not.
-bool resembles(const Answer& suspected, const Answer& got, const Answer& exact);
+// or within a few ulps but nearer to each other than to `exact`: an error is the same although one made it in
+// doubles and the other did not.
+bool shares_error(const Answer& suspected, const Answer& got, const Answer& exact);
+
+// Same kinds and faces, and numbers within a few ulps.
+bool resembles(const Answer& suspected, const Answer& got);
 
 }  // namespace groundtruth::diagnosis

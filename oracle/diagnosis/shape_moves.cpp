@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include <groundtruth/diagnosis/moves.hpp>
 
@@ -7,68 +9,76 @@ namespace groundtruth::diagnosis {
 namespace {
 
 using Shapes = std::vector<Shape>;
+using TakeShape = std::function<bool(Shape&&)>;
 
-Shapes simpler(const Shape& shape);
+bool simpler(const Shape& shape, const TakeShape& take);
 
-// Without the first half, the second half, ..., a single operand: large cuts first.
-std::vector<Shapes> with_fewer(const Shapes& operands) {
-  std::vector<Shapes> fewer;
-  for (std::size_t cut = std::max<std::size_t>(operands.size() / 2, 1); cut > 0; cut /= 2) {
-    if (operands.size() / cut > 64) break;  // many small cuts of a large scene are for later rounds
-    for (std::size_t first = 0; first < operands.size(); first += cut) {
-      Shapes kept(operands.begin(), operands.begin() + static_cast<std::ptrdiff_t>(first));
-      const std::size_t end = std::min(first + cut, operands.size());
-      kept.insert(kept.end(), operands.begin() + static_cast<std::ptrdiff_t>(end), operands.end());
-      fewer.push_back(std::move(kept));
-    }
-  }
-  return fewer;
+// A longer list is halved rather than tried operand by operand.
+constexpr std::size_t long_list = 64;
+
+Shapes without(const Shapes& operands, std::size_t first, std::size_t count) {
+  const auto from = operands.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto to = operands.begin() + static_cast<std::ptrdiff_t>(std::min(first + count, operands.size()));
+  Shapes kept(operands.begin(), from);
+  kept.insert(kept.end(), to, operands.end());
+  return kept;
 }
 
 class Simplify {
  public:
-  Shapes operator()(const Everything&) { return {}; }
-  Shapes operator()(const Nothing&) { return {}; }
-  Shapes operator()(const HalfSpace&) { return constants(); }
-  Shapes operator()(const Union& shape) { return of_operator(shape); }
-  Shapes operator()(const Intersection& shape) { return of_operator(shape); }
-  Shapes operator()(const Covered& cover) {
-    Shapes result{*cover.over};
-    for (Shape& over : simpler(*cover.over))
-      result.push_back({Covered{cover.material, std::make_shared<Shape>(std::move(over))}});
-    return result;
+  explicit Simplify(const TakeShape& take) : take_(take) {}
+
+  bool operator()(const Everything&) { return true; }
+  bool operator()(const Nothing&) { return true; }
+  bool operator()(const HalfSpace&) { return take_({Nothing{}}) && take_({Everything{}}); }
+  bool operator()(const Union& shape) { return of_operator(shape); }
+  bool operator()(const Intersection& shape) { return of_operator(shape); }
+  bool operator()(const Covered& cover) {
+    return take_(Shape(*cover.over)) && simpler(*cover.over, [&](Shape&& over) {
+             return take_({Covered{cover.material, std::make_shared<Shape>(std::move(over))}});
+           });
   }
-  Shapes operator()(const Painted& paint) {
-    Shapes result{*paint.over, {Covered{paint.material, paint.over}}};
-    for (Shape& where : simpler(*paint.where))
-      result.push_back({Painted{paint.material, std::make_shared<Shape>(std::move(where)), paint.over}});
-    for (Shape& over : simpler(*paint.over))
-      result.push_back({Painted{paint.material, paint.where, std::make_shared<Shape>(std::move(over))}});
-    return result;
+  bool operator()(const Painted& paint) {
+    return take_(Shape(*paint.over)) && take_({Covered{paint.material, paint.over}}) &&
+           simpler(*paint.where,
+                   [&](Shape&& where) {
+                     return take_(
+                         {Painted{paint.material, std::make_shared<Shape>(std::move(where)), paint.over}});
+                   }) &&
+           simpler(*paint.over, [&](Shape&& over) {
+             return take_({Painted{paint.material, paint.where, std::make_shared<Shape>(std::move(over))}});
+           });
   }
 
  private:
-  static Shapes constants() { return {{Nothing{}}, {Everything{}}}; }
-
   template <class Operator>
-  Shapes of_operator(const Operator& shape) {
-    Shapes result = constants();
-    if (shape.operands.size() <= 64)
-      for (const Shape& operand : shape.operands) result.push_back(operand);
-    for (Shapes& fewer : with_fewer(shape.operands)) result.push_back({Operator{std::move(fewer)}});
-    if (shape.operands.size() > 64) return result;
-    for (std::size_t i = 0; i < shape.operands.size(); ++i) {
-      for (Shape& operand : simpler(shape.operands[i])) {
+  bool of_operator(const Operator& shape) {
+    const Shapes& operands = shape.operands;
+    if (!take_({Nothing{}}) || !take_({Everything{}})) return false;
+    if (operands.size() <= long_list)
+      for (const Shape& operand : operands)
+        if (!take_(Shape(operand))) return false;
+    // Halves first, then quarters, ..., single operands.
+    for (std::size_t cut = std::max<std::size_t>(operands.size() / 2, 1); cut > 0; cut /= 2)
+      for (std::size_t first = 0; first < operands.size(); first += cut)
+        if (!take_({Operator{without(operands, first, cut)}})) return false;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const auto take_changed = [&](Shape&& operand) {
         Operator changed = shape;
         changed.operands[i] = std::move(operand);
-        result.push_back({std::move(changed)});
-      }
+        return take_({std::move(changed)});
+      };
+      if (!simpler(operands[i], take_changed)) return false;
     }
-    return result;
+    return true;
   }
+
+  const TakeShape& take_;
 };
 
-Shapes simpler(const Shape& shape) { return std::visit(Simplify{}, shape.expression); }
+bool simpler(const Shape& shape, const TakeShape& take) {
+  return std::visit(Simplify{take}, shape.expression);
+}
 
 bool bears_materials(const Shape& shape) {
   if (const auto* either = std::get_if<Union>(&shape.expression))
@@ -81,14 +91,13 @@ bool bears_materials(const Shape& shape) {
 
 }  // namespace
 
-Cases with_simpler_shape(const cases::Case& from) {
-  Cases result;
-  for (Shape& shape : simpler(from.scene.shape)) {
-    result.push_back(from);
-    result.back().scene.shape = std::move(shape);
-    if (!bears_materials(result.back().scene.shape)) result.back().scene.materials.clear();
-  }
-  return result;
+bool with_simpler_shape(const cases::Case& from, const Take& take) {
+  const bool bears = !from.scene.materials.empty();
+  return simpler(from.scene.shape, [&](Shape&& shape) {
+    std::vector<Material> materials;
+    if (bears && bears_materials(shape)) materials = from.scene.materials;
+    return take({from.id, {std::move(materials), std::move(shape)}, from.ask, from.flags, from.note});
+  });
 }
 
 }  // namespace groundtruth::diagnosis

@@ -33,7 +33,8 @@ Suspect suspect_of_engine(const std::string& name, const std::string& explanatio
                           const std::string& engine_name) {
   std::shared_ptr<const implementations::Engine> engine = implementations::make_engine(engine_name);
   return {name, explanation,
-          [engine](const Scene& scene, const Ask& ask) { return engine->on(scene)->answer(ask).answer; }};
+          [engine](const Scene& scene, const Ask& ask) { return engine->on(scene)->answer(ask).answer; },
+          Trace::own_error};
 }
 
 Answer exactly(const Scene& scene, const Ask& ask) {
@@ -69,19 +70,22 @@ std::vector<Suspect> classic_slips() {
   std::vector<Suspect> suspects;
   suspects.push_back(
       suspect_of_engine("plain-doubles", "the arithmetic is right but for rounding", "double"));
+  suspects.back().trace = Trace::rounding;
   for (const AskSlip& slip : ask_slips())
-    suspects.push_back(
-        {std::string(slip.name), std::string(slip.explanation), [change = slip.change](Scene scene, Ask ask) {
-           change(scene, ask);
-           return exactly(scene, ask);
-         }});
+    suspects.push_back({std::string(slip.name), std::string(slip.explanation),
+                        [change = slip.change](Scene scene, Ask ask) {
+                          change(scene, ask);
+                          return exactly(scene, ask);
+                        },
+                        Trace::own_error});
   for (const AnswerSlip& slip : answer_slips())
     suspects.push_back({std::string(slip.name), std::string(slip.explanation),
                         [change = slip.change](const Scene& scene, const Ask& ask) {
                           Answer answer = exactly(scene, ask);
                           change(answer, ask);
                           return answer;
-                        }});
+                        },
+                        Trace::own_error});
   return suspects;
 }
 

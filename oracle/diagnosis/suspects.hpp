@@ -11,10 +11,14 @@
 
 namespace groundtruth::diagnosis {
 
+// What it takes to be the same error (resemblance.hpp).
+enum class Trace { own_error, rounding };
+
 struct Suspect {
   std::string name;         // "single-pass-intersection", "ignored-range", ...
   std::string explanation;  // one line
   std::function<Answer(const Scene&, const Ask&)> answer;
+  Trace trace = Trace::own_error;
 };
 
 // The errata of SPEC section 7, each alone.
