@@ -42,7 +42,7 @@ std::vector<Case> corpus_of_clips() {
       clip("no-friction", {{3, 4, -10}, flat, 0, 100}, {"friction"}, "mu = 0: nothing is left sideways."),
       clip("no-force", {{0, 0, 0}, flat, 0.5, 1}, {"border"}, "No force at all: sticks."),
       clip("no-normal-force", {{3, 4, 0}, flat, 0.5, 100}, {"border"}, "N = 0: the border is a point."),
-      clip("pulled-away", {{3, 4, 2}, flat, 0.5, 100}, {"signed-normal-force", "tensile"},
+      clip("pulled-away", {{3, 4, -2}, flat, 0.5, 100}, {"signed-normal-force", "tensile"},
            "F'_z < 0 and slip: with mu F'_z the friction would flip."),
       clip("slope-band", {{2, 0, -10}, slope, 1, 4}, {"band-test-wheel-x", "surface-frame-sign"},
            "On a slope the band is along F'_x, not along the wheel's x."),

@@ -16,7 +16,7 @@ std::vector<Case> seams() {
       {"seam/along-the-top",
        abutting,
        EntryAsk{{1, 0.5, 2}, {1, 0.5, 0}},
-       {"seam", "normal-by-order"},
+       {"seam"},
        "The seam of two abutting boxes is hit from above: only the two tops are faces, never the walls "
        "between."},
       {"seam/inside-it",
@@ -58,7 +58,7 @@ std::vector<Case> seams() {
       {"seam/hidden-plane",
        ground(union_of({half_space(0, 0, 1, 0), half_space(0, 0, 1, 1)})),
        EntryAsk{{0, 0, 2}, {0, 0, -2}},
-       {"seam", "normal-by-order"},
+       {"seam"},
        "The first leaf lies wholly inside the second: it is no face."},
   };
 }

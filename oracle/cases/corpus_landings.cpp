@@ -65,7 +65,7 @@ std::vector<Case> corpus_of_landings() {
       {"landing/leaning",
        flat,
        leaning,
-       {"orientation", "surface-frame-sign"},
+       {"orientation"},
        "A wheel that leans: the strut is longer than the height."},
       {"landing/seam-of-two-slopes",
        ground(union_of({half_space(1, 0, 4, 0), half_space(-1, 0, 4, 0)})),

@@ -77,7 +77,8 @@ class Session {
 
   template <typename JudgeIt>
   JudgedAsk judged(const std::string& id, const std::string& kind, const Ask& ask, const JudgeIt& judge_it) {
-    JudgedAsk asked{id, kind, fmt::format("{}:{}", place_.place, place_.first_line), Judged::skipped, {}, ""};
+    JudgedAsk asked{id, kind, fmt::format("{}:{}", place_.place, place_.first_line), Judged::skipped, {},
+                    "", ""};
     const auto line = answers_.take(id);
     if (!line) {
       asked.explanation = "no line answers it";
@@ -87,11 +88,18 @@ class Session {
       asked.verdict = judge_it(read_answer(line->text, ask, scene_, {options_.answers, line->number}));
       asked.judged = asked.verdict.is_accepted() ? Judged::accepted : Judged::wrong;
       asked.explanation = asked.verdict.explanation;
+      if (kind != "bad") asked.exact = exact_in_json(id, asked.verdict);
     } catch (const BadInput& bad) {
       asked.judged = Judged::unreadable;
       asked.explanation = bad.what();
     }
     return asked;
+  }
+
+  // The exact answer's line without its id.
+  std::string exact_in_json(const std::string& id, const judge::Verdict& verdict) const {
+    const std::string before = "{\"id\":" + id + ",";
+    return "{" + write_answer(id, verdict.exact, verdict.evidence, scene_).substr(before.size());
   }
 
   void use(Scene scene) {
@@ -145,7 +153,9 @@ Exit run(const Options& options) {
     if (!options.json && worth_a_line) fmt::print("{}", report::line_of(*judged));
     asked.push_back(std::move(*judged));
   }
-  if (!options.json) {
+  if (options.json) {
+    fmt::print("{}", report::json_summary_of(asked, session.left_over()));
+  } else {
     fmt::print("{}{}", in_words(options.tolerance), report::table_of(asked));
     if (session.left_over() > 0)
       fmt::print("{}: {} lines answer nothing that was asked\n", options.answers, session.left_over());
@@ -161,7 +171,8 @@ Subcommand add_judge(CLI::App& program) {
   command->add_option("asks", options->asks, "The file of asks")->required();
   command->add_option("answers", options->answers, "The file of answers, a line an ask")->required();
   add_tolerance_options(*command, options->tolerance);
-  command->add_flag("--json", options->json, "One JSON object an ask");
+  command->add_flag("--json", options->json,
+                    "One JSON object an ask, with the exact answer, and a last one that sums up");
   return {command, [options] { return run(*options); }};
 }
 

@@ -12,9 +12,10 @@
 namespace groundtruth::judge {
 namespace {
 
-// |n . F| / ||n||, from unit vectors, so that no product leaves the range.
+// |n . F| / ||n||, from unit vectors, so that no product leaves the range; 0 without a normal.
 long double pressing_of(const ClipAsk& ask) {
   const long double size = length(ask.normal_in_wheel);
+  if (size == 0) return 0;
   long double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += ask.normal_in_wheel[i] / size * ask.force_in_wheel[i];
   return std::fabs(sum);

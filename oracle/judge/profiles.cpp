@@ -6,8 +6,9 @@ namespace groundtruth::judge {
 const std::vector<Profile>& profiles() {
   static const std::vector<Profile> all = {
       {"exact",
-       "every decision exact, lambda the nearest double or its neighbour, vectors to 1e-12",
-       {0, 1, 0, 0, 1e-12, Faces::any_admissible}},
+       "every decision exact, lambda the nearest double or its neighbour, vectors to 1e-12, normals as "
+       "doubles normalise them",
+       {0, 1, 0x1p-50, 0, 1e-12, Faces::any_admissible}},
       {"double",
        "careful double arithmetic: 1 nm, 1e-9 of the scale of a decision or of a vector's terms",
        {1e-9, 4, 1e-12, 1e-9, 1e-9, Faces::any_admissible}},

@@ -55,13 +55,12 @@ bool StepMatch::is_contact_among(const Contact& got, const std::vector<const Con
   const Spread pebbles = spread_of(expected, [](const Contact& contact) { return contact.pebble_in_world; });
   const Spread velocities =
       spread_of(expected, [](const Contact& contact) { return contact.pebble_velocity_in_world; });
-  long double slack = allowed(tolerance.relative_number, length(expected.front()->pebble_in_world));
-  if (!is_kept(got)) {
-    const long double moved = tolerance.metres + allowed(tolerance.relative_number, scales_.landing) +
-                              4 * tolerance.relative_decision * scales_.force / scales_.stiffness;
-    slack = 0;
-    for (const Contact* contact : expected)
-      slack = std::max(slack, moved * amplification(contact->normal_in_world, ask_.frame));
+  long double slack = is_kept(got) ? kept_slack() : 0;
+  for (const Contact* contact : expected) {
+    if (is_kept(got)) break;
+    const long double moved = 4 * tolerance.relative_decision * scales_.force / scales_.stiffness *
+                              amplification(contact->normal_in_world, ask_.frame);
+    slack = std::max(slack, landing_slack(*contact) + moved);
   }
   if (pebbles.distance_to(got.pebble_in_world) > slack) return false;
   const bool sticks = got.grip == Grip::stick;

@@ -38,13 +38,6 @@ Verdict far(const char* quantity, const char* unit, const Vector& got, const Vec
   return verdict;
 }
 
-// How far the landing may be off: its terms' tolerance, magnified where the strut meets the ground aslant.
-long double landing_slack(const Tolerance& tolerance, const StepScales& scales, const StepAsk& ask,
-                          const Contact& expected) {
-  return allowed(tolerance.relative_number, scales.landing) *
-         amplification(expected.normal_in_world, ask.frame);
-}
-
 }  // namespace
 
 Verdict StepMatch::against(const StepAnswer& got, const StepAnswer& expected) const {
@@ -66,6 +59,17 @@ Verdict StepMatch::against(const StepAnswer& got, const StepAnswer& expected) co
   return far("force", "N", stepped->force_on_frame_in_world, force, &Verdict::newtons);
 }
 
+// A pebble that stays is copied: at most rounded to coarser numbers.
+long double StepMatch::kept_slack() const { return truth_.tolerance().metres + scales_.world; }
+
+// Magnified where the strut meets the ground aslant.
+long double StepMatch::landing_slack(const Contact& expected) const {
+  const Tolerance& tolerance = truth_.tolerance();
+  const long double local =
+      std::max<long double>(tolerance.metres, allowed(tolerance.relative_number, scales_.landing));
+  return (local + scales_.world) * amplification(expected.normal_in_world, ask_.frame);
+}
+
 Verdict StepMatch::of_contacts(const Contact& got, const Contact& expected) const {
   const Tolerance& tolerance = truth_.tolerance();
   if (!points_along(got.normal_in_world, expected.normal_in_world, tolerance.normal_angle)) {
@@ -77,9 +81,7 @@ Verdict StepMatch::of_contacts(const Contact& got, const Contact& expected) cons
   if (!has_friction_of(got, expected, tolerance.relative_number)) {
     return wrong(Difference::material, fmt::format("{} -> {}", frictions(got), frictions(expected)));
   }
-  const long double slack = is_kept(got)
-                                ? allowed(tolerance.relative_number, length(expected.pebble_in_world))
-                                : landing_slack(tolerance, scales_, ask_, expected);
+  const long double slack = is_kept(got) ? kept_slack() : landing_slack(expected);
   if (Spread(expected.pebble_in_world).distance_to(got.pebble_in_world) > slack) {
     return far("pebble", "m", got.pebble_in_world, expected.pebble_in_world, &Verdict::metres);
   }

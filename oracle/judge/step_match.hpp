@@ -24,6 +24,8 @@ class StepMatch {
 
  private:
   Verdict of_contacts(const Contact& got, const Contact& expected) const;
+  long double kept_slack() const;
+  long double landing_slack(const Contact& expected) const;
   bool has_face_of(const Contact& got, const Contact& expected) const;
   bool has_face_nearby(const Contact& got, long double distance) const;
   bool is_contact_among(const Contact& got, const std::vector<const Contact*>& expected) const;

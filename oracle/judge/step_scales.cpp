@@ -11,6 +11,10 @@ namespace {
 using Real = long double;
 using RealVector = std::array<Real, 3>;
 
+// Eight units in the last place: the strut's end, the ground's height over it, the point of landing.
+constexpr Real roundings_in_world = 8 * 0x1p-52L;
+
+Real length(const RealVector& v) { return std::hypot(v[0], v[1], v[2]); }
 RealVector real(const Vector& v) { return {v[0], v[1], v[2]}; }
 RealVector minus(const RealVector& a, const RealVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 RealVector cross(const RealVector& a, const RealVector& b) {
@@ -31,7 +35,7 @@ RealVector to_wheel(const Quaternion& q, const RealVector& v) {
 
 // Of unit length, whatever its own.
 RealVector unit(const Vector& v) {
-  const Real size = length(v);
+  const Real size = judge::length(v);
   return {v[0] / size, v[1] / size, v[2] / size};
 }
 
@@ -40,14 +44,14 @@ RealVector unit(const Vector& v) {
 StepScales scales_of(const StepAsk& ask) {
   const Wheel& wheel = ask.wheel;
   const Frame& frame = ask.frame;
-  const Real place = length(frame.position_in_world);
   StepScales scales;
-  const Real strut = std::max(std::fabs(wheel.z_min), std::fabs(wheel.z_max));
-  scales.length = place + strut;
-  scales.landing = place + strut;
+  scales.world = roundings_in_world * length(frame.position_in_world);
+  scales.length = std::max(std::fabs(wheel.z_min), std::fabs(wheel.z_max));
+  scales.landing = scales.length;
   const auto* contact = std::get_if<Contact>(&ask.state);
   if (contact == nullptr) return scales;
-  const Real pebble = length(contact->pebble_in_world) + place;
+  scales.world = std::max(scales.world, roundings_in_world * length(contact->pebble_in_world));
+  const Real pebble = length(minus(real(contact->pebble_in_world), real(frame.position_in_world)));
   const Real speed = length(contact->pebble_velocity_in_world) + length(frame.velocity_in_world) +
                      length(frame.angular_velocity_in_world) * pebble;
   const Real k_xy = std::fabs(wheel.k_xy);
@@ -63,8 +67,8 @@ StepScales scales_of(const StepAsk& ask) {
   scales.stiffness = mapping ? k_xy + d_xy / ask.h : k_xy;
   const Real of_mapping = mapping ? d_xy / ask.h * pebble + d_xy * speed : 0;
   scales.landing += (scales.clipped + of_mapping) / scales.stiffness;
-  scales.velocity = std::max(length(contact->pebble_velocity_in_world),
-                             (scales.landing + length(contact->pebble_in_world)) / ask.h);
+  scales.velocity =
+      std::max(length(contact->pebble_velocity_in_world), std::max(scales.landing, pebble) / ask.h);
   return scales;
 }
 

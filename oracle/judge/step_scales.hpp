@@ -6,14 +6,16 @@
 namespace groundtruth::judge {
 
 // Sums of magnitudes of terms; a hair of rounding in them does not matter. Long doubles, so that none leaves
-// the range.
+// the range. All but `world` are local: the contact is seen from the frame, so that none grows with the
+// distance from the world's origin.
 struct StepScales {
   long double force = 0;      // N: of the springs' force
   long double clipped = 0;    // N: of what is left of it: mu times the normal force's terms are in it
-  long double length = 0;     // m: of p, from the pebble and the frame in world coordinates
+  long double length = 0;     // m: of p and of the strut
   long double landing = 0;    // m: of where the strut goes
   long double stiffness = 1;  // N/m: a landing moves by a force divided by it
   long double velocity = 0;   // m/s: of a slipping pebble: max(|w|, |p| / h)
+  long double world = 0;      // m: what a few roundings cost of a place in world coordinates
 };
 
 StepScales scales_of(const StepAsk& ask);

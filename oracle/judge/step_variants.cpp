@@ -80,7 +80,7 @@ class Nudged {
   }
 
  private:
-  long double of_length() const { return tolerance_.relative_decision * scales_.length; }
+  long double of_length() const { return tolerance_.relative_decision * scales_.length + scales_.world; }
   long double of_force() const { return tolerance_.relative_decision * scales_.force; }
 
   // With F'_z changed by this much, by way of z_zero; as it is if F'_z is not that close to 0.

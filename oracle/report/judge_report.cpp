@@ -54,8 +54,21 @@ std::string json_of(const JudgedAsk& asked) {
     number("newtons", asked.verdict.newtons);
   }
   if (!asked.explanation.empty()) text("explanation", asked.explanation);
+  if (!asked.exact.empty()) {
+    writer.Key("exact");
+    writer.RawValue(asked.exact.data(), asked.exact.size(), rapidjson::kObjectType);
+  }
   writer.EndObject();
   return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+}
+
+std::string json_summary_of(const std::vector<JudgedAsk>& asked, std::size_t left_over) {
+  std::array<std::size_t, number_of_judged> counts{};
+  for (const JudgedAsk& one : asked) ++counts[static_cast<std::size_t>(one.judged)];
+  std::string text = "{\"summary\":{";
+  for (std::size_t i = 0; i < number_of_judged; ++i)
+    text += fmt::format("\"{}\":{},", name_of(static_cast<Judged>(i)), counts[i]);
+  return text + fmt::format("\"left_over\":{}}}}}\n", left_over);
 }
 
 std::string table_of(const std::vector<JudgedAsk>& asked) {

@@ -28,6 +28,7 @@ struct JudgedAsk {
   Judged judged = Judged::accepted;
   judge::Verdict verdict;   // of an ask that was judged
   std::string explanation;  // one line; empty if accepted
+  std::string exact;        // JSON: {"answer": ...} or {"error": ...}; empty if nothing was judged
 };
 
 // "asks.jsonl:7 "a1": wrong lambda: ...".
@@ -35,6 +36,10 @@ std::string line_of(const JudgedAsk& asked);
 
 // One JSON object.
 std::string json_of(const JudgedAsk& asked);
+
+// The last line of the JSON: {"summary": {"accepted": 12, ..., "left_over": 0}}, where `left_over` counts the
+// answers to what was not asked.
+std::string json_summary_of(const std::vector<JudgedAsk>& asked, std::size_t left_over);
 
 // A row a kind of ask, and the differences of the wrong ones.
 std::string table_of(const std::vector<JudgedAsk>& asked);

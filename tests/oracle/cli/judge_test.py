@@ -45,10 +45,22 @@ class Judge(unittest.TestCase):
         self.assertEqual(self.judged(other).returncode, 0)
         self.assertEqual(self.judged(other, "--strict").returncode, 1)
 
-    def test_json_has_a_line_an_ask(self):
+    def test_json_has_a_line_an_ask_and_a_summary(self):
         rows = [json.loads(line) for line in self.judged(self.answers, "--json").stdout.splitlines()]
+        *rows, last = rows
         self.assertEqual(len(rows), len(self.answers))
         self.assertEqual({row["verdict"] for row in rows}, {"accepted"})
+        counts = {"accepted": len(rows), "wrong": 0, "skipped": 0, "unreadable": 0, "left_over": 0}
+        self.assertEqual(last, {"summary": counts})
+
+    def test_json_rows_bear_the_exact_answer(self):
+        wrong = [line.replace('"lambda":0.25,', '"lambda":0.5,') for line in self.answers]
+        *rows, last = [json.loads(line) for line in self.judged([*wrong, '{"id":"?","error":"?"}'], "--json").stdout.splitlines()]
+        for row, answer in zip(rows, self.answers, strict=True):
+            self.assertEqual({"id": row["id"], **row["exact"]}, json.loads(answer))
+        changed = sum(one != other for one, other in zip(wrong, self.answers, strict=True))
+        self.assertGreater(changed, 0)
+        self.assertEqual((last["summary"]["wrong"], last["summary"]["left_over"]), (changed, 1))
 
 
 if __name__ == "__main__":

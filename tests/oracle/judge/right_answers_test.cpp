@@ -43,7 +43,8 @@ void expect_accepted(const Judge& judge, const Ask& ask, const Answer& got, cons
   EXPECT_EQ(verdict.explanation.empty(), verdict.is_accepted()) << name;
 }
 
-void expect_right_answers_accepted(const Scene& scene, const std::vector<Ask>& asks, const std::string& name) {
+void expect_right_answers_accepted(const Scene& scene, const std::vector<Ask>& asks,
+                                   const std::string& name) {
   const auto engine = implementations::make_engine("exact");
   const auto exact = engine->on(scene);
   const Shape backwards = reversed(scene.shape);
