@@ -219,7 +219,7 @@ class Validate(unittest.TestCase):
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
 
     def test_a_crash_is_4_and_keeps_the_ask(self):
-        done = validate("--cases", "20", "--json", self.file("x"), *self.small_program(
+        done = validate("--cases", "400", "--json", self.file("x"), *self.small_program(
             "import json, os, sys\n"
             "for line in sys.stdin:\n"
             "    if 'hello' in line: print(json.dumps({'hello': 'answers/1', 'name': 'x', 'asks': ['clip']}), flush=True)\n"
