@@ -29,9 +29,10 @@ struct Diagnosis {
 };
 
 // The error that explains most and contradicts least: single errata and slips first, pairs of errata if none
-// of these explains everything. Nothing unless it explains at least nine of ten failures, and contradicts at
-// most one in fifty of the accepted answers. Looks at a bounded number of witnesses, taken in turns from each
-// kind of ask and of difference; those with small scenes first.
+// of these explains everything. Nothing unless it explains three failures or more, nine of ten of them, and
+// the others are mere rounding; and contradicts at most one in fifty of the accepted answers. Looks at a
+// bounded number of witnesses, taken in turns from each kind of ask and of difference; those with small
+// scenes first.
 std::optional<Diagnosis> diagnose(std::span<const Witness> failures, std::span<const Witness> accepted);
 
 }  // namespace groundtruth::diagnosis

@@ -66,11 +66,14 @@ std::vector<Suspect> pairs_of_errata() {
   return suspects;
 }
 
+Suspect plain_doubles() {
+  Suspect suspect = suspect_of_engine("plain-doubles", "the arithmetic is right but for rounding", "double");
+  suspect.trace = Trace::rounding;
+  return suspect;
+}
+
 std::vector<Suspect> classic_slips() {
   std::vector<Suspect> suspects;
-  suspects.push_back(
-      suspect_of_engine("plain-doubles", "the arithmetic is right but for rounding", "double"));
-  suspects.back().trace = Trace::rounding;
   for (const AskSlip& slip : ask_slips())
     suspects.push_back({std::string(slip.name), std::string(slip.explanation),
                         [change = slip.change](Scene scene, Ask ask) {

@@ -27,8 +27,10 @@ std::vector<Suspect> errata();
 // Each two of them together.
 std::vector<Suspect> pairs_of_errata();
 
-// What else people get wrong: a small change to ask, scene or answer around the exact engine, and plain
-// doubles.
+// No error but rounding.
+Suspect plain_doubles();
+
+// What else people get wrong: a small change to ask, scene or answer around the exact engine.
 std::vector<Suspect> classic_slips();
 
 }  // namespace groundtruth::diagnosis

@@ -33,6 +33,7 @@ void print_errata(const Asking& asking) {
 }
 
 void print_slips(const Asking& asking) {
+  print_row(asking, "plain-doubles", *implementations::make_engine("double"));
   for (const Suspect& slip : classic_slips()) print_row(asking, slip.name, *engine_of(slip));
 }
 
