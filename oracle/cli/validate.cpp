@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <groundtruth/report/cause_report.hpp>
 #include <groundtruth/report/validation_report.hpp>
 #include <groundtruth/validation/known_failures.hpp>
 #include <groundtruth/validation/log.hpp>
@@ -62,9 +63,10 @@ class Validation {
     bar_.clear();
     if (options_.update_known) update_known();
     for (const Record& record : passing_) note_passing(record, json);
+    const std::optional<Causes> causes = look_for_causes(result, json);
     json.write(write_summary({result.tally, std::string(in_words(result.ending)), result.seconds}));
     if (!options_.junit.empty()) write_text(options_.junit, report::junit_of(result.tally, records_));
-    return conclude(result);
+    return conclude(result, causes);
   }
 
  private:
@@ -132,14 +134,34 @@ class Validation {
     return subject_of(options_);
   }
 
-  Exit conclude(const Result& result) const {
+  // Of what is not known to fail. Absent where none is looked for.
+  std::optional<Causes> look_for_causes(const Result& result, LineFile& json) {
+    if (options_.shrinking == 0 || result.ending == Ending::interrupted) return std::nullopt;
+    std::vector<Failure> news;
+    for (const Failure& failure : result.failures)
+      if (!is_known(failure.asked.id)) news.push_back(failure);
+    if (news.empty()) return std::nullopt;
+    Causes causes = causes_of(news, result.accepted, *subject_of(options_), search_plan_of(options_));
+    for (const Cause& cause : causes.groups) json.write(write_cause(cause));
+    if (causes.diagnosis) json.write(write_diagnosis(*causes.diagnosis));
+    return causes;
+  }
+
+  bool is_known(const std::string& id) const {
+    return std::any_of(records_.begin(), records_.end(), [&](const Record& record) {
+      return record.id == id && record.expectation == Expectation::known;
+    });
+  }
+
+  Exit conclude(const Result& result, const std::optional<Causes>& causes) const {
     const auto known = std::count_if(records_.begin(), records_.end(), [](const Record& record) {
       return record.expectation == Expectation::known;
     });
     fmt::print(out_, "{}", report::table_of(result.tally));
-    fmt::print(out_, "{}", report::failures_of(records_, [this](const std::string& id) {
-                 return replay_command_of(options_, id);
-               }));
+    const auto replay_command = [this](const std::string& id) { return replay_command_of(options_, id); };
+    fmt::print(
+        out_, "{}",
+        causes ? report::causes_of(*causes, replay_command) : report::failures_of(records_, replay_command));
     const Conclusion conclusion = validation::conclude(result.tally, records_);
     fmt::print(out_, "\n{}: {} of {} cases failed", validation::in_words(conclusion), records_.size(),
                result.tally.judged());

@@ -63,6 +63,11 @@ void add_options(CLI::App& command, ValidateOptions& options) {
       ->capture_default_str();
   command.add_flag(
       "--keep-going", [&options](std::int64_t) { options.most_failures = 0; }, "--failures 0");
+  command
+      .add_option("--shrink", options.shrinking,
+                  "Seconds to look for smallest failures; 0: show them as found")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   command.add_option("--known", options.known, "File of known failures: only others count, and passes");
   command.add_flag("--update-known", options.update_known, "Write the failures found to that file");
   command.add_option("--json", options.json, "File for JSON Lines, written as they are found; - is stdout");
@@ -111,6 +116,10 @@ RunPlan run_plan_of(const ValidateOptions& options, const Kinds& kinds) {
   plan.jobs = options.jobs;
   if (options.seconds) plan.time = milliseconds(*options.seconds);
   return plan;
+}
+
+SearchPlan search_plan_of(const ValidateOptions& options) {
+  return {tolerance_of(options.tolerance), milliseconds(options.shrinking)};
 }
 
 std::unique_ptr<implementations::Subject> subject_of(const ValidateOptions& options) {

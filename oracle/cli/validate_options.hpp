@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <groundtruth/implementations/subject.hpp>
+#include <groundtruth/validation/causes.hpp>
 #include <groundtruth/validation/course.hpp>
 
 #include "tolerance_options.hpp"
@@ -29,6 +30,7 @@ struct ValidateOptions {
   std::string shard = "1/1";
   std::vector<std::string> only;
   std::uint64_t most_failures = 200;
+  double shrinking = 6;  // seconds in all
   std::string known;
   bool update_known = false;
   std::string json;
@@ -45,6 +47,7 @@ std::optional<std::string> problem_with(const ValidateOptions& options);
 validation::Kinds kinds_of(const ValidateOptions& options, const implementations::Greeting& greeting);
 validation::Selection selection_of(const ValidateOptions& options, const validation::Kinds& kinds);
 validation::RunPlan run_plan_of(const ValidateOptions& options, const validation::Kinds& kinds);
+validation::SearchPlan search_plan_of(const ValidateOptions& options);
 
 // Throws with a line that says why there is none.
 std::unique_ptr<implementations::Subject> subject_of(const ValidateOptions& options);

@@ -74,6 +74,27 @@ std::string write_head(const Head& head) {
   return writer.take();
 }
 
+std::string write_cause(const Cause& cause) {
+  ObjectWriter writer;
+  writer.text("cause", cause.group.kind);
+  writer.count("cases", cause.group.members.size());
+  writer.text("signature", cause.group.signature);
+  writer.json("smallest", write_record(record_of(cause.smallest)));
+  std::string names;
+  for (const std::string& name : cause.group.does_not_matter) names += (names.empty() ? "" : ", ") + name;
+  writer.text("does_not_matter", names);
+  return writer.take();
+}
+
+std::string write_diagnosis(const diagnosis::Diagnosis& diagnosis) {
+  ObjectWriter writer;
+  writer.text("diagnosis", diagnosis.name);
+  writer.text("explanation", diagnosis.explanation);
+  writer.count("explains", diagnosis.explained);
+  writer.count("of", diagnosis.failures);
+  return writer.take();
+}
+
 std::string write_summary(const Summary& summary) {
   ObjectWriter counts;
   for (const Kind kind : kinds) counts.json(name_of(kind), counts_of(summary.tally, kind));
@@ -91,9 +112,10 @@ Log read_log(const std::string& file) {
   Log log{file, head_in(lines.front(), {file, 1}), {}, {}};
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const Origin origin{file, i + 1};
-    if (ObjectReader(lines[i], origin).has("summary")) {
+    const ObjectReader reader(lines[i], origin);
+    if (reader.has("summary")) {
       log.summary = summary_in(lines[i], origin);
-    } else {
+    } else if (!reader.has("cause") && !reader.has("diagnosis")) {
       log.records.push_back(read_record(lines[i], origin));
     }
   }

@@ -1,10 +1,12 @@
 #pragma once
-// The JSON Lines of a validation: a head, a record for each case that was not accepted, a summary at the end.
+// The JSON Lines of a validation: a head, a record for each case that was not accepted, their causes, a
+// summary at the end.
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <groundtruth/validation/causes.hpp>
 #include <groundtruth/validation/course.hpp>
 #include <groundtruth/validation/record.hpp>
 
@@ -25,6 +27,8 @@ struct Summary {
 };
 
 std::string write_head(const Head& head);
+std::string write_cause(const Cause& cause);
+std::string write_diagnosis(const diagnosis::Diagnosis& diagnosis);
 std::string write_summary(const Summary& summary);
 
 struct Log {

@@ -56,9 +56,11 @@ class Run {
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const Outcome outcome = findings[i].outcome;
       result_.tally.add(kind_of_ask(batch.asks[i]), outcome);
-      if (!is_failure(outcome)) continue;
-      result_.failures.push_back({stream, {batch.ids[i], *batch.scene, batch.asks[i], {}, {}}, findings[i]});
-      watch_.failed(result_.failures.back());
+      const bool is_sample = outcome == Outcome::accepted && samples_[batch.asks[i].index()]++ < most_samples;
+      if (!is_failure(outcome) && !is_sample) continue;
+      std::vector<Failure>& list = is_sample ? result_.accepted : result_.failures;
+      list.push_back({stream, {batch.ids[i], *batch.scene, batch.asks[i], {}, {}}, findings[i]});
+      if (!is_sample) watch_.failed(list.back());
     }
     watch_.judged(result_.tally.judged());
   }
@@ -83,6 +85,8 @@ class Run {
   Clock::time_point start_;
   std::atomic<std::size_t> next_stream_ = 0;
   std::mutex mutex_;
+  static constexpr std::uint64_t most_samples = 100;
+  std::array<std::uint64_t, number_of_kinds> samples_{};  // accepted cases of each kind so far
   Result result_;
 };
 

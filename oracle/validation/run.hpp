@@ -26,7 +26,7 @@ struct RunPlan {
   std::uint64_t most_hung = 5;
 };
 
-// A case that was not accepted.
+// A case and what came of it, mostly one that was not accepted.
 struct Failure {
   std::size_t stream = 0;
   cases::Case asked;
@@ -38,6 +38,7 @@ enum class Ending { all_asked, out_of_time, interrupted, too_many_hung };
 struct Result {
   Tally tally;
   std::vector<Failure> failures;  // by stream, then by their number in it
+  std::vector<Failure> accepted;  // a hundred or so of each kind that did not fail
   Ending ending = Ending::all_asked;
   double seconds = 0;
 };

@@ -20,8 +20,8 @@ ALLOWED = {
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/validation": {"problem", "text", "judge", "cases", "implementations"},
-    "oracle/report": {"validation", "campaign", "cases", "implementations", "judge", "problem", "text"},
+    "oracle/validation": {"diagnosis", "problem", "text", "judge", "cases", "implementations"},
+    "oracle/report": {"validation", "campaign", "cases", "implementations", "judge", "problem", "text", "diagnosis"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report"},
 }
