@@ -21,6 +21,7 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/report": {"campaign", "implementations", "judge", "problem"},
+    "oracle/rig": {"problem", "implementations"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
 }
 TOP_LEVEL = {
@@ -30,7 +31,7 @@ TOP_LEVEL = {
 # Libraries by the start of the include, and the folders that may use them.
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
-    "Eigen/": {"fast"},
+    "Eigen/": {"fast", "oracle/rig"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
     "rapidjson/": {"reference/text", "oracle/report"},
     "CLI/": {"oracle/cli"},

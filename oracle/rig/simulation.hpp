@@ -1,0 +1,40 @@
+#pragma once
+// A scenario played from its start, and what came of it.
+
+#include <functional>
+
+#include <groundtruth/rig/scenario.hpp>
+
+namespace groundtruth::rig {
+
+// What an observer is shown: the state after a step, and what the step did.
+struct Moment {
+  double time = 0;  // s, after the step
+  const MotionState& state;
+  const StepRecord& record;
+  const Controls& controls;
+  double energy = 0;  // J
+};
+
+struct Summary {
+  double duration_s = 0;  // as far as it came
+  std::uint64_t steps = 0;
+  double body_drift_m = 0;    // how far the body moved in the second half
+  double pebble_drift_m = 0;  // of the pebble that moved most in the second half
+  double energy_rise = 0;     // the largest in a step, in parts of m g 1 m
+  double border_violation = 0;
+  std::uint64_t wheel_steps_free = 0;
+  std::uint64_t wheel_steps_stick = 0;
+  std::uint64_t wheel_steps_slip = 0;
+  int most_newton_steps = 0;
+  int most_convex_passes = 0;
+  Halt outcome = Halt::none;
+  std::string reason;  // of a refusal
+};
+
+// Plays the scenario on an engine of the step ("fast", "exact", "double", "as-written:..."). The observer may
+// be empty. Energy is not counted while thrust, push or gravity change.
+Summary play(const Scenario& scenario, const std::string& engine,
+             const std::function<void(const Moment&)>& observer = {});
+
+}  // namespace groundtruth::rig
