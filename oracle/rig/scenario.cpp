@@ -30,4 +30,13 @@ Controls Inputs::at(double time) const {
           vector_at(gravity_in_world, time)};
 }
 
+bool Inputs::are_constant() const {
+  const auto all = [](const std::array<Signal, 3>& signals) {
+    return std::all_of(signals.begin(), signals.end(),
+                       [](const Signal& signal) { return signal.is_constant(); });
+  };
+  return brake.is_constant() && steering.is_constant() && all(thrust_in_body) && all(push_in_world) &&
+         all(gravity_in_world);
+}
+
 }  // namespace groundtruth::rig

@@ -18,6 +18,7 @@ struct Signal {
   double frequency = 0;  // Hz
 
   double at(double time) const;
+  bool is_constant() const { return points.size() < 2 && amplitude == 0; }
 };
 
 struct Inputs {
@@ -28,6 +29,7 @@ struct Inputs {
   std::array<Signal, 3> gravity_in_world;  // m/s^2
 
   Controls at(double time) const;
+  bool are_constant() const;
 };
 
 struct Scenario {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <groundtruth/rig/body.hpp>
+#include <groundtruth/rig/recurrence.hpp>
+
 namespace groundtruth::rig {
 namespace {
 
@@ -42,39 +45,95 @@ void measure_drift(const MotionState& middle, const MotionState& end, Summary& s
     summary.pebble_drift_m = std::max(summary.pebble_drift_m, pebble_drift(middle.wheels[i], end.wheels[i]));
 }
 
+// Of thrust and push, over a step.
+double work_of(const Controls& controls, const BodyState& before, const BodyState& after) {
+  const Eigen::Vector3d force =
+      controls.push_in_world + rotation_of(before.world_from_body) * controls.thrust_in_body;
+  return force.dot(after.position_in_world - before.position_in_world);
+}
+
+class Player {
+ public:
+  Player(const Scenario& scenario, const implementations::EngineOnScene& ground,
+         const std::function<void(const Moment&)>& observer)
+      : scenario_(scenario),
+        motion_(scenario.machine, ground, scenario.integrator, scenario.h),
+        observer_(observer),
+        steps_(static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h))),
+        state_{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0},
+        middle_(state_),
+        energy_(energy_of(scenario.machine, state_, scenario.inputs.at(0))) {}
+
+  Summary run(Repetitions repetitions) {
+    Recurrence recurrence;
+    const bool may_skip = repetitions == Repetitions::skipped && scenario_.inputs.are_constant();
+    while (summary_.steps < steps_ && take_step()) {
+      if (!may_skip || summary_.recurrence) continue;
+      if (const auto period = recurrence.period_at(state_)) skip_rounds_of(*period);
+    }
+    summary_.duration_s = static_cast<double>(summary_.steps) * scenario_.h;
+    measure_drift(middle_, state_, summary_);
+    return summary_;
+  }
+
+ private:
+  bool take_step() {
+    const double time = static_cast<double>(summary_.steps) * scenario_.h;
+    const Controls controls = scenario_.inputs.at(time);
+    const BodyState before = state_.body;
+    const StepRecord record = motion_.advance(state_, controls);
+    if (record.halt != Halt::none) {
+      summary_.outcome = record.halt;
+      summary_.reason = record.reason;
+      return false;
+    }
+    ++summary_.steps;
+    add(record, summary_);
+    count(state_, summary_);
+    measure_energy(before, controls);
+    if (summary_.steps == steps_ / 2) middle_ = state_;
+    if (observer_) observer_({time + scenario_.h, state_, record, controls, energy_});
+    return true;
+  }
+
+  void measure_energy(const BodyState& before, const Controls& controls) {
+    const double energy = energy_of(scenario_.machine, state_, controls);
+    const double weight = scenario_.machine.mass * controls.gravity_in_world.norm();
+    const double work = work_of(controls, before, state_.body);
+    if (weight > 0) summary_.energy_rise = std::max(summary_.energy_rise, (energy - energy_ - work) / weight);
+    energy_ = energy;
+  }
+
+  // One more round is played to count it; then as many as still fit are taken as played.
+  void skip_rounds_of(std::uint64_t period) {
+    summary_.recurrence = {summary_.steps, period};
+    const Summary before = summary_;
+    if (steps_ - summary_.steps < 2 * period) return;
+    for (std::uint64_t i = 0; i < period; ++i) take_step();
+    const std::uint64_t rounds = (steps_ - summary_.steps) / period;
+    if (summary_.steps < steps_ / 2) middle_ = state_;
+    summary_.wheel_steps_free += rounds * (summary_.wheel_steps_free - before.wheel_steps_free);
+    summary_.wheel_steps_stick += rounds * (summary_.wheel_steps_stick - before.wheel_steps_stick);
+    summary_.wheel_steps_slip += rounds * (summary_.wheel_steps_slip - before.wheel_steps_slip);
+    summary_.steps += rounds * period;
+  }
+
+  const Scenario& scenario_;
+  const Motion motion_;
+  const std::function<void(const Moment&)>& observer_;
+  const std::uint64_t steps_;
+  MotionState state_;
+  MotionState middle_;
+  double energy_;
+  Summary summary_;
+};
+
 }  // namespace
 
-Summary play(const Scenario& scenario, const std::string& engine,
+Summary play(const Scenario& scenario, const std::string& engine, Repetitions repetitions,
              const std::function<void(const Moment&)>& observer) {
   const auto ground = implementations::make_engine(engine)->on(scenario.scene);
-  const Motion motion(scenario.machine, *ground, scenario.integrator, scenario.h);
-  MotionState state{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0};
-  MotionState middle = state;
-  Summary summary;
-  const auto steps = static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h));
-  double energy = energy_of(scenario.machine, state, scenario.inputs.at(0));
-  while (summary.steps < steps) {
-    const double time = static_cast<double>(summary.steps) * scenario.h;
-    const Controls controls = scenario.inputs.at(time);
-    const StepRecord record = motion.advance(state, controls);
-    if (record.halt != Halt::none) {
-      summary.outcome = record.halt;
-      summary.reason = record.reason;
-      break;
-    }
-    ++summary.steps;
-    add(record, summary);
-    count(state, summary);
-    const double now = energy_of(scenario.machine, state, controls);
-    const double weight = scenario.machine.mass * controls.gravity_in_world.norm();
-    if (weight > 0) summary.energy_rise = std::max(summary.energy_rise, (now - energy) / weight);
-    energy = now;
-    if (summary.steps == steps / 2) middle = state;
-    if (observer) observer({time + scenario.h, state, record, controls, energy});
-  }
-  summary.duration_s = static_cast<double>(summary.steps) * scenario.h;
-  measure_drift(middle, state, summary);
-  return summary;
+  return Player(scenario, *ground, observer).run(repetitions);
 }
 
 }  // namespace groundtruth::rig

@@ -2,6 +2,7 @@
 // A scenario played from its start, and what came of it.
 
 #include <functional>
+#include <optional>
 
 #include <groundtruth/rig/scenario.hpp>
 
@@ -21,7 +22,7 @@ struct Summary {
   std::uint64_t steps = 0;
   double body_drift_m = 0;    // how far the body moved in the second half
   double pebble_drift_m = 0;  // of the pebble that moved most in the second half
-  double energy_rise = 0;     // the largest in a step, in parts of m g 1 m
+  double energy_rise = 0;     // the largest in a step beyond the work of thrust and push, in parts of m g 1 m
   double border_violation = 0;
   std::uint64_t wheel_steps_free = 0;
   std::uint64_t wheel_steps_stick = 0;
@@ -30,11 +31,18 @@ struct Summary {
   int most_convex_passes = 0;
   Halt outcome = Halt::none;
   std::string reason;  // of a refusal
+  // If the state came back to the last bit under constant inputs: all further rounds are known, and were not
+  // played. The step at which that was seen, and the length of a round.
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> recurrence;
 };
 
+// Are rounds that are known to the last bit played again?
+enum class Repetitions { skipped, played };
+
 // Plays the scenario on an engine of the step ("fast", "exact", "double", "as-written:..."). The observer may
-// be empty. Energy is not counted while thrust, push or gravity change.
+// be empty; it is not shown what is skipped.
 Summary play(const Scenario& scenario, const std::string& engine,
+             Repetitions repetitions = Repetitions::skipped,
              const std::function<void(const Moment&)>& observer = {});
 
 }  // namespace groundtruth::rig
