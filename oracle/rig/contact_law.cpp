@@ -72,35 +72,40 @@ BorneForce borne_by_disc(const Eigen::Vector3d& asked, double disc, double brake
   return result;
 }
 
-double border_violation(const Eigen::Vector3d& force_in_world, const AskedForce& asked) {
-  const Eigen::Vector3d force = world_from_surface(asked).transpose() * force_in_world;
+Border border_of(const Contact& contact, const MountedWheel& wheel, const Controls& controls) {
+  const bool sticks = contact.grip == Grip::stick;
+  return {sticks ? contact.static_friction : contact.dynamic_friction, controls.brake * wheel.brake_share};
+}
+
+double border_violation(const Eigen::Vector3d& force_in_wheel, const Eigen::Vector3d& normal_in_wheel,
+                        const Border& border) {
+  const Eigen::Vector3d force = surface_axes(normal_in_wheel).transpose() * force_in_wheel;
   const double load = -force.z();
   if (!(load > 0)) return 0;
-  const double beyond_disc = force.head<2>().norm() - asked.border.friction * load;
-  const double beyond_band = std::abs(force.x()) - asked.border.brake;
+  const double beyond_disc = force.head<2>().norm() - border.friction * load;
+  const double beyond_band = std::abs(force.x()) - border.brake;
   return std::max({0.0, beyond_disc, beyond_band}) / load;
 }
 
 AskedForce ContactLaw::at(const BodyState& end) const {
-  const Frame frame = frame_of(end, wheel_, controls_);
-  const auto& q = frame.world_from_wheel;
-  const Eigen::Matrix3d world_from_wheel = rotation_of(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+  const Frame frame = frame_of(end, rotation_of(end.world_from_body), wheel_, controls_);
+  const Eigen::Matrix3d wheel_axes = world_from_wheel(frame);
   const Eigen::Vector3d pebble = vector_of(contact_.pebble_in_world);
   const Eigen::Vector3d arm = pebble - vector_of(frame.position_in_world);
-  const Eigen::Vector3d p = world_from_wheel.transpose() * arm;
+  const Eigen::Vector3d p = wheel_axes.transpose() * arm;
   const Wheel& wheel = wheel_.wheel;
   const Eigen::Vector3d relative_velocity = vector_of(contact_.pebble_velocity_in_world) -
                                             vector_of(frame.velocity_in_world) -
                                             end.angular_velocity_in_world.cross(arm);
-  const Eigen::Vector3d w = world_from_wheel.transpose() * relative_velocity;
+  const Eigen::Vector3d w = wheel_axes.transpose() * relative_velocity;
   const Eigen::Vector3d springs(wheel.k_xy, wheel.k_xy, wheel.k_z),
       dampers(wheel.d_xy, wheel.d_xy, wheel.d_z);
   const Eigen::Vector3d stretch(p.x(), p.y(), p.z() - wheel.z_zero);
   const Eigen::Vector3d on_pebble_in_wheel = springs.cwiseProduct(stretch) + dampers.cwiseProduct(w);
 
   const Eigen::Matrix3d wheel_from_surface =
-      surface_axes(world_from_wheel.transpose() * vector_of(contact_.normal_in_world));
-  const Eigen::Matrix3d world_from_surface = world_from_wheel * wheel_from_surface;
+      surface_axes(wheel_axes.transpose() * vector_of(contact_.normal_in_world));
+  const Eigen::Matrix3d world_from_surface = wheel_axes * wheel_from_surface;
   AskedForce result;
   result.asked = -(wheel_from_surface.transpose() * on_pebble_in_wheel);
   const Eigen::Vector3d stiffness = -(h_ * springs + dampers);
@@ -109,10 +114,8 @@ AskedForce ContactLaw::at(const BodyState& end) const {
       -world_from_surface.transpose() * cross_matrix(pebble - end.position_in_world);
   const Eigen::Vector3d reach = pebble.cwiseAbs() + vector_of(frame.position_in_world).cwiseAbs();
   result.granularity = wheel_from_surface.transpose().cwiseAbs() *
-                       springs.cwiseAbs().cwiseProduct(world_from_wheel.transpose().cwiseAbs() * reach);
-  const bool sticks = contact_.grip == Grip::stick;
-  result.border = {sticks ? contact_.static_friction : contact_.dynamic_friction,
-                   controls_.brake * wheel_.brake_share};
+                       springs.cwiseAbs().cwiseProduct(wheel_axes.transpose().cwiseAbs() * reach);
+  result.border = border_of(contact_, wheel_, controls_);
   return result;
 }
 

@@ -43,8 +43,12 @@ inline Eigen::Matrix3d world_from_surface(const AskedForce& asked) {
   return asked.jacobian.leftCols<3>().transpose();
 }
 
+// Of a contact.
+Border border_of(const Contact& contact, const MountedWheel& wheel, const Controls& controls);
+
 // Friction of a force on the body beyond the border, in parts of its load; 0 if there is no load.
-double border_violation(const Eigen::Vector3d& force_in_world, const AskedForce& asked);
+double border_violation(const Eigen::Vector3d& force_in_wheel, const Eigen::Vector3d& normal_in_wheel,
+                        const Border& border);
 
 // A wheel with its contact, over a step of h seconds that ends with the body at velocities `u`.
 class ContactLaw {

@@ -8,31 +8,33 @@ namespace {
 
 class ImplicitStep {
  public:
-  ImplicitStep(const Machine& machine, const implementations::EngineOnScene& ground, double h,
-               const Controls& controls, const MotionState& start)
+  ImplicitStep(const Machine& machine, WheelSteps& wheel_steps, double h, const Controls& controls,
+               const MotionState& start, StepRecord& record)
       : machine_(machine),
-        ground_(ground),
+        wheel_steps_(wheel_steps),
         h_(h),
         controls_(controls),
         start_(start),
-        touching_(start.wheels) {}
+        touching_(start.wheels),
+        record_(record) {}
 
-  StepRecord take(MotionState& state) {
+  void take(MotionState& state) {
     lay_pebbles_down();
-    const Matrix6 mass = mass_matrix(machine_, start_.body);
-    const Vector6 free_velocities = velocities_of(start_.body) + h_ * mass.llt().solve(wrench_without_ground(
-                                                                          machine_, start_.body, controls_));
-    if (!foresee_touchdowns(free_velocities)) return record_;
-    ImplicitProblem problem{start_.body, mass, free_velocities, h_, machine_.turns(), {}};
+    const Eigen::Matrix3d world_from_body = rotation_of(start_.body.world_from_body);
+    const Vector6 wrench = wrench_without_ground(machine_, start_.body, world_from_body, controls_);
+    const Vector6 free_velocities =
+        velocities_of(start_.body) + h_ * accelerations(machine_, world_from_body, wrench);
+    if (!foresee_touchdowns(free_velocities)) return;
+    ImplicitProblem problem{
+        start_.body, mass_matrix(machine_, world_from_body), free_velocities, h_, machine_.turns(), {}};
     for (const std::size_t i : in_contact())
       problem.contacts.emplace_back(machine_.wheels[i], std::get<Contact>(touching_[i]), controls_, h_);
     const auto solution = solve(problem);
     if (!solution) {
       record_.halt = Halt::not_solved;
-      return record_;
+      return;
     }
     finish(*solution, state);
-    return record_;
   }
 
  private:
@@ -59,7 +61,7 @@ class ImplicitStep {
 
   // The pebble of a wheel that touches down comes along with it: nothing is stretched sideways yet.
   void let_arrive(Contact& contact, std::size_t wheel, const BodyState& end) const {
-    const Vector& v = frame_of(end, machine_.wheels[wheel], controls_).velocity_in_world;
+    const Vector v = frame_at(wheel, end).velocity_in_world;
     const Vector& n = contact.normal_in_world;
     const double along =
         (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]) / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -74,8 +76,11 @@ class ImplicitStep {
   }
 
   std::optional<Stepped> ask(std::size_t wheel, const BodyState& body, const WheelState& state) {
-    const StepAsk ask = step_ask(machine_.wheels[wheel], body, state, controls_, h_);
-    return stepped(ground_.answer(ask).answer, wheel, record_);
+    return wheel_steps_.step(wheel, frame_at(wheel, body), state, controls_, record_);
+  }
+
+  Frame frame_at(std::size_t wheel, const BodyState& body) const {
+    return frame_of(body, rotation_of(body.world_from_body), machine_.wheels[wheel], controls_);
   }
 
   void finish(const ImplicitSolution& solution, MotionState& state) {
@@ -100,25 +105,29 @@ class ImplicitStep {
     for (const std::size_t i : in_contact()) {
       const Eigen::Vector3d& force = solution.forces_in_world[k++];
       const auto& contact = std::get<Contact>(touching_[i]);
-      const AskedForce asked = ContactLaw(machine_.wheels[i], contact, controls_, h_).at(end);
+      const Vector& n = contact.normal_in_world;
+      const Eigen::Matrix3d wheel_from_world = world_from_wheel(frame_at(i, end)).transpose();
+      const double violation =
+          border_violation(wheel_from_world * force, wheel_from_world * Eigen::Vector3d(n[0], n[1], n[2]),
+                           border_of(contact, machine_.wheels[i], controls_));
       record_.forces_in_world[i] = force;
-      record_.border_violation = std::max(record_.border_violation, border_violation(force, asked));
+      record_.border_violation = std::max(record_.border_violation, violation);
     }
   }
 
   const Machine& machine_;
-  const implementations::EngineOnScene& ground_;
+  WheelSteps& wheel_steps_;
   const double h_;
   const Controls& controls_;
   const MotionState start_;
   std::vector<WheelState> touching_;
-  StepRecord record_;
+  StepRecord& record_;
 };
 
 }  // namespace
 
-StepRecord Motion::advance_implicitly(MotionState& state, const Controls& controls) const {
-  return ImplicitStep(machine_, ground_, h_, controls, state).take(state);
+void Motion::advance_implicitly(MotionState& state, const Controls& controls) {
+  ImplicitStep(machine_, wheel_steps_, h_, controls, state, record_).take(state);
 }
 
 }  // namespace groundtruth::rig

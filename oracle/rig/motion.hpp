@@ -2,12 +2,14 @@
 // A machine set in motion: its wheels' steps come from any engine, its body from one of three integrators.
 
 #include <array>
-#include <string>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include <groundtruth/implementations/engine.hpp>
 #include <groundtruth/rig/machine.hpp>
+#include <groundtruth/rig/step_record.hpp>
+#include <groundtruth/rig/wheel_steps.hpp>
 
 namespace groundtruth::rig {
 
@@ -16,8 +18,7 @@ enum class Integrator {
   // 2 (sqrt(1 + zeta^2) - zeta).
   semi_implicit,
   // The same, but the first push is half as long: velocities stand between positions from then on, and
-  // stopping
-  // distances are right to second order.
+  // stopping distances are right to second order.
   half_kick,
   // Forces are those at the end of the step, inside the border there: stable at any stiffness.
   implicit
@@ -25,22 +26,7 @@ enum class Integrator {
 
 // "semi-implicit", "half-kick", "implicit".
 std::string_view name_of(Integrator integrator);
-
-// Why a motion cannot go on; the state is then the one before the step.
-enum class Halt { none, wheel_broken, surface_too_steep, surface_gave_way, refused, not_finite, not_solved };
-
-std::string_view name_of(Halt halt);
-
-// What one step did, for whoever measures.
-struct StepRecord {
-  Halt halt = Halt::none;
-  std::size_t halting_wheel = 0;
-  std::string reason;                            // of a refusal
-  std::vector<Eigen::Vector3d> forces_in_world;  // on the body, one a wheel
-  double border_violation = 0;                   // of friction beyond disc or band, in parts of the load
-  int newton_steps = 0;                          // of the implicit integrator
-  int convex_passes = 0;
-};
+std::optional<Integrator> integrator_named(std::string_view name);
 
 class Motion {
  public:
@@ -49,19 +35,21 @@ class Motion {
          double h);
 
   // Takes `state` one step further, or leaves it and says why not. A state's wheels are as many as the
-  // machine's.
-  StepRecord advance(MotionState& state, const Controls& controls) const;
+  // machine's. The record is the motion's own: the next step overwrites it.
+  const StepRecord& advance(MotionState& state, const Controls& controls);
 
   double h() const { return h_; }
 
  private:
-  StepRecord advance_explicitly(MotionState& state, const Controls& controls, double kick) const;
-  StepRecord advance_implicitly(MotionState& state, const Controls& controls) const;
+  void advance_explicitly(MotionState& state, const Controls& controls, double kick);
+  void advance_implicitly(MotionState& state, const Controls& controls);
 
   const Machine& machine_;
-  const implementations::EngineOnScene& ground_;
   Integrator integrator_;
   double h_;
+  WheelSteps wheel_steps_;
+  StepRecord record_;
+  std::vector<WheelState> next_wheels_;
 };
 
 // Kinetic energy, height, and springs of the wheels in contact, J. Zero height is the world's origin.

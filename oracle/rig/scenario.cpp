@@ -22,7 +22,7 @@ double Signal::at(double time) const {
   if (after == points.end()) return points.back().second + wave;
   const auto& [t0, v0] = *std::prev(after);
   const auto& [t1, v1] = *after;
-  return v0 + (v1 - v0) * ((time - t0) / (t1 - t0)) + wave;
+  return std::lerp(v0, v1, (time - t0) / (t1 - t0)) + wave;
 }
 
 Controls Inputs::at(double time) const {

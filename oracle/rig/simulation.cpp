@@ -47,9 +47,10 @@ void measure_drift(const MotionState& middle, const MotionState& end, Summary& s
 
 // Of thrust and push, over a step.
 double work_of(const Controls& controls, const BodyState& before, const BodyState& after) {
-  const Eigen::Vector3d force =
-      controls.push_in_world + rotation_of(before.world_from_body) * controls.thrust_in_body;
-  return force.dot(after.position_in_world - before.position_in_world);
+  const Eigen::Vector3d moved = after.position_in_world - before.position_in_world;
+  const double work = controls.push_in_world.dot(moved);
+  if (controls.thrust_in_body.isZero(0)) return work;
+  return work + (rotation_of(before.world_from_body) * controls.thrust_in_body).dot(moved);
 }
 
 class Player {
@@ -59,14 +60,16 @@ class Player {
       : scenario_(scenario),
         motion_(scenario.machine, ground, scenario.integrator, scenario.h),
         observer_(observer),
+        are_inputs_constant_(scenario.inputs.are_constant()),
+        controls_(scenario.inputs.at(0)),
         steps_(static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h))),
         state_{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0},
         middle_(state_),
-        energy_(energy_of(scenario.machine, state_, scenario.inputs.at(0))) {}
+        energy_(energy_of(scenario.machine, state_, controls_)) {}
 
   Summary run(Repetitions repetitions) {
     Recurrence recurrence;
-    const bool may_skip = repetitions == Repetitions::skipped && scenario_.inputs.are_constant();
+    const bool may_skip = repetitions == Repetitions::skipped && are_inputs_constant_;
     while (summary_.steps < steps_ && take_step()) {
       if (!may_skip || summary_.recurrence) continue;
       if (const auto period = recurrence.period_at(state_)) skip_rounds_of(*period);
@@ -79,9 +82,9 @@ class Player {
  private:
   bool take_step() {
     const double time = static_cast<double>(summary_.steps) * scenario_.h;
-    const Controls controls = scenario_.inputs.at(time);
+    if (!are_inputs_constant_) controls_ = scenario_.inputs.at(time);
     const BodyState before = state_.body;
-    const StepRecord record = motion_.advance(state_, controls);
+    const StepRecord& record = motion_.advance(state_, controls_);
     if (record.halt != Halt::none) {
       summary_.outcome = record.halt;
       summary_.reason = record.reason;
@@ -90,16 +93,16 @@ class Player {
     ++summary_.steps;
     add(record, summary_);
     count(state_, summary_);
-    measure_energy(before, controls);
+    measure_energy(before);
     if (summary_.steps == steps_ / 2) middle_ = state_;
-    if (observer_) observer_({time + scenario_.h, state_, record, controls, energy_});
+    if (observer_) observer_({time + scenario_.h, state_, record, controls_, energy_});
     return true;
   }
 
-  void measure_energy(const BodyState& before, const Controls& controls) {
-    const double energy = energy_of(scenario_.machine, state_, controls);
-    const double weight = scenario_.machine.mass * controls.gravity_in_world.norm();
-    const double work = work_of(controls, before, state_.body);
+  void measure_energy(const BodyState& before) {
+    const double energy = energy_of(scenario_.machine, state_, controls_);
+    const double weight = scenario_.machine.mass * controls_.gravity_in_world.norm();
+    const double work = work_of(controls_, before, state_.body);
     if (weight > 0) summary_.energy_rise = std::max(summary_.energy_rise, (energy - energy_ - work) / weight);
     energy_ = energy;
   }
@@ -119,8 +122,10 @@ class Player {
   }
 
   const Scenario& scenario_;
-  const Motion motion_;
+  Motion motion_;
   const std::function<void(const Moment&)>& observer_;
+  const bool are_inputs_constant_;
+  Controls controls_;
   const std::uint64_t steps_;
   MotionState state_;
   MotionState middle_;

@@ -1,6 +1,7 @@
 #include <groundtruth/rig/wheel_steps.hpp>
 
-#include <groundtruth/rig/body.hpp>
+#include <cmath>
+#include <utility>
 
 namespace groundtruth::rig {
 namespace {
@@ -17,17 +18,37 @@ Halt halt_of(StepFailure failure) {
   return Halt::none;
 }
 
-}  // namespace
-
-StepAsk step_ask(const MountedWheel& wheel, const BodyState& body, const WheelState& state,
-                 const Controls& controls, double h) {
-  return {wheel.wheel, frame_of(body, wheel, controls), controls.brake * wheel.brake_share, h, state};
+// The mere sum of all numbers tells: it is finite only if they are.
+bool is_finite(const Frame& frame, double brake) {
+  double sum = brake;
+  for (const double x : frame.position_in_world) sum += std::abs(x);
+  for (const double x : frame.world_from_wheel) sum += std::abs(x);
+  for (const double x : frame.velocity_in_world) sum += std::abs(x);
+  for (const double x : frame.angular_velocity_in_world) sum += std::abs(x);
+  return std::isfinite(sum);
 }
 
-std::optional<Stepped> stepped(const Answer& answer, std::size_t wheel, StepRecord& record) {
-  const auto& step = std::get<StepAnswer>(answer);
-  if (const auto* done = std::get_if<Stepped>(&step)) return *done;
+}  // namespace
+
+WheelSteps::WheelSteps(const Machine& machine, const implementations::EngineOnScene& ground, double h)
+    : machine_(machine), ground_(ground) {
+  for (const MountedWheel& wheel : machine.wheels) asks_.push_back(StepAsk{wheel.wheel, {}, 0, h, Free{}});
+}
+
+std::optional<Stepped> WheelSteps::step(std::size_t wheel, const Frame& frame, const WheelState& state,
+                                        const Controls& controls, StepRecord& record) {
+  auto& ask = std::get<StepAsk>(asks_[wheel]);
+  ask.frame = frame;
+  ask.brake = controls.brake * machine_.wheels[wheel].brake_share;
+  ask.state = state;
   record.halting_wheel = wheel;
+  if (!is_finite(ask.frame, ask.brake)) {
+    record.halt = Halt::not_finite;
+    return std::nullopt;
+  }
+  Answer answer = ground_.answer(asks_[wheel]).answer;
+  auto& step = std::get<StepAnswer>(answer);
+  if (auto* done = std::get_if<Stepped>(&step)) return std::move(*done);
   if (const auto* failure = std::get_if<StepFailure>(&step)) {
     record.halt = halt_of(*failure);
   } else {

@@ -21,7 +21,7 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/report": {"campaign", "implementations", "judge", "problem"},
-    "oracle/rig": {"problem", "implementations"},
+    "oracle/rig": {"problem", "implementations", "text"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
 }
 TOP_LEVEL = {
