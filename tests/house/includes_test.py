@@ -20,9 +20,9 @@ ALLOWED = {
     "oracle/judge": {"problem"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "implementations", "judge", "problem"},
+    "oracle/report": {"rig", "campaign", "implementations", "judge", "problem"},
     "oracle/rig": {"problem", "implementations", "text"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report", "rig"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
