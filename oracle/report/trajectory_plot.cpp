@@ -7,6 +7,10 @@
 namespace groundtruth::report {
 namespace {
 
+std::size_t columns_of(const rig::Scenario& scenario) {
+  return static_cast<std::size_t>(std::clamp(scenario.duration / scenario.h, 1.0, double{plot_width}));
+}
+
 Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
@@ -32,12 +36,18 @@ std::vector<std::pair<double, double>> Envelope::points(double x_per_column) con
 TrajectoryPlot::TrajectoryPlot(const rig::Scenario& scenario)
     : title_(scenario.name + ": " + scenario.description),
       up_in_world_(-scenario.inputs.at(0).gravity_in_world.normalized()),
+      h_(scenario.h),
       duration_(scenario.duration),
-      wheels_(scenario.machine.wheels.size()) {}
+      columns_(columns_of(scenario)),
+      height_(columns_),
+      speed_(columns_),
+      energy_(columns_),
+      wheels_(scenario.machine.wheels.size(),
+              {Envelope(columns_), Envelope(columns_), {}, std::vector<Seen>(columns_, Seen::nothing)}) {}
 
 void TrajectoryPlot::add(const rig::Moment& moment) {
-  const double part = std::clamp(moment.time / duration_, 0.0, 1.0);
-  const auto column = std::min<std::size_t>(static_cast<std::size_t>(part * plot_width), plot_width - 1);
+  const double part = std::clamp((moment.time - h_ / 2) / duration_, 0.0, 1.0);
+  const auto column = std::min(static_cast<std::size_t>(part * static_cast<double>(columns_)), columns_ - 1);
   const rig::BodyState& body = moment.state.body;
   height_.add(column, body.position_in_world.dot(up_in_world_));
   speed_.add(column, body.velocity_in_world.norm());
@@ -61,7 +71,7 @@ void TrajectoryPlot::add(const WheelState& state, const Eigen::Vector3d& force, 
 }
 
 std::vector<Band> TrajectoryPlot::bands_of(const WheelPlot& plot) const {
-  const double per_column = duration_ / plot_width;
+  const double per_column = duration_ / static_cast<double>(columns_);
   std::vector<Band> bands;
   Seen last = Seen::nothing;
   for (std::size_t i = 0; i < plot.seen.size(); ++i) {
@@ -77,7 +87,7 @@ std::vector<Band> TrajectoryPlot::bands_of(const WheelPlot& plot) const {
 }
 
 std::string TrajectoryPlot::svg() const {
-  const double per_column = duration_ / plot_width;
+  const double per_column = duration_ / static_cast<double>(columns_);
   Figure figure{title_, "time, s", 0, duration_, {{Wash::first, "stick"}, {Wash::second, "slip"}}, {}};
   figure.panels.push_back(
       {"height of the centre of mass, m", {{"", Ink::first, height_.points(per_column)}}, {}});

@@ -13,7 +13,7 @@ namespace groundtruth::report {
 // Least and greatest of a quantity, column by column of the plot: long runs are no longer than short ones.
 class Envelope {
  public:
-  Envelope() : columns_(plot_width) {}
+  explicit Envelope(std::size_t columns) : columns_(columns) {}
   void add(std::size_t column, double value);
   std::vector<std::pair<double, double>> points(double x_per_column) const;
 
@@ -39,7 +39,7 @@ class TrajectoryPlot {
     Envelope load;
     Envelope friction;
     std::optional<Eigen::Vector3d> normal_in_world;  // of the contact that the next force comes from
-    std::vector<Seen> seen = std::vector<Seen>(plot_width, Seen::nothing);
+    std::vector<Seen> seen;
   };
 
   void add(const WheelState& state, const Eigen::Vector3d& force, std::size_t column, WheelPlot& plot) const;
@@ -47,7 +47,9 @@ class TrajectoryPlot {
 
   std::string title_;
   Eigen::Vector3d up_in_world_;  // against gravity at the start
+  double h_;
   double duration_;
+  std::size_t columns_;  // one a step, if there are few steps
   Envelope height_;
   Envelope speed_;
   Envelope energy_;
