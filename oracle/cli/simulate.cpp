@@ -1,3 +1,4 @@
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -108,6 +109,20 @@ Exit run(const Options& options) {
   return Exit::agrees;
 }
 
+bool positive(double value) { return value > 0; }
+bool at_least_zero(double value) { return value >= 0; }
+
+// CLI::Range lets NaN pass.
+CLI::Validator number_that(bool (*holds)(double), const std::string& otherwise) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const bool is_good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && holds(value);
+        return is_good ? std::string() : text + " " + otherwise;
+      },
+      "");
+}
+
 }  // namespace
 
 Subcommand add_simulate(CLI::App& program) {
@@ -116,9 +131,9 @@ Subcommand add_simulate(CLI::App& program) {
   command->add_option("scenario", options->scenario,
                       "A scenario file or the name of a built-in scenario; none: a list of these");
   command->add_option("--duration", options->duration, "Seconds to play")
-      ->check(CLI::Range(0.0, std::numeric_limits<double>::max()));
+      ->check(number_that(at_least_zero, "is not >= 0 and finite"));
   command->add_option("--h", options->h, "Length of a step, s")
-      ->check(CLI::Range(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()));
+      ->check(number_that(positive, "is not > 0 and finite"));
   command->add_option("--integrator", options->integrator, "semi-implicit, half-kick or implicit")
       ->check(CLI::IsMember({"semi-implicit", "half-kick", "implicit"}));
   command->add_option("--relocation", options->relocation, "Of all wheels: spring or return-mapping")

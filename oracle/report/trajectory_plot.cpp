@@ -37,7 +37,7 @@ TrajectoryPlot::TrajectoryPlot(const rig::Scenario& scenario)
     : title_(scenario.name + ": " + scenario.description),
       up_in_world_(-scenario.inputs.at(0).gravity_in_world.normalized()),
       h_(scenario.h),
-      duration_(scenario.duration),
+      duration_(std::max(scenario.duration, scenario.h)),
       columns_(columns_of(scenario)),
       height_(columns_),
       speed_(columns_),
