@@ -19,15 +19,15 @@ Scenario landing(const std::string& name, const std::string& what, double sink, 
   return scenario;
 }
 
-// A ramp of 10 % joins level ground at x = 0. Speeds, steps and places are short binary fractions: at the
-// first step with the struts on the ground, the main wheels stand at x = 0 to the last bit.
+// A ramp of 5 % comes down to level ground at x = 0. Speeds, steps and places are short binary fractions: at
+// the first step with the struts on the ground, the main wheels stand at x = 0 to the last bit.
 Scenario seam() {
   constexpr int steps = 32;
-  constexpr double step = 1.0 / 256, speed = 30, sink = 2;
+  constexpr double step = 1.0 / 256, speed = 15, sink = 2;
   Scenario scenario =
-      landing("seam", "a landing whose main wheels touch down on the seam of a ramp", sink, {});
+      landing("seam", "a landing whose main wheels touch down on the seam at a ramp's foot", sink, {});
   scenario.h = step;
-  const auto ground = Union{{Shape{HalfSpace{{0, 0, 1}, 0}}, Shape{HalfSpace{{-0.1, 0, 1}, 0}}}};
+  const auto ground = Union{{Shape{HalfSpace{{0, 0, 1}, 0}}, Shape{HalfSpace{{0.05, 0, 1}, 0}}}};
   scenario.scene.shape = {Covered{dry, std::make_shared<Shape>(Shape{ground})}};
   // The fall of half a step less than `steps` steps.
   const double fall = (steps - 0.5) * step * sink + gravity * step * step * steps * (steps + 1) / 2;

@@ -59,16 +59,23 @@ TEST(BuiltinScenarios, CrosswindPushesButMovesNoPebble) {
   EXPECT_GT(y(*greatest) - y(*least), 1e-4) << "trembles";
 }
 
-TEST(BuiltinScenarios, SlideAcceleratesByTheClosedForm) {
-  const Scenario scenario = builtin("slide");
+// Of the last second, relative to g (sin - mu cos).
+double slide_error(const Scenario& scenario) {
   const Playback run = run_of(scenario);
-  ASSERT_EQ(run.summary.outcome, Halt::none);
+  EXPECT_EQ(run.summary.outcome, Halt::none);
+  EXPECT_EQ(run.states.back().body.position_in_world.y(), 0);
   const double angle = std::atan(0.6);
   const double expected = g * (std::sin(angle) - 0.4 * std::cos(angle));
   const std::size_t last = run.states.size() - 1, first = last - 240;
   const double measured = (speed_of(run.states[last]) - speed_of(run.states[first])) / (240 * scenario.h);
-  EXPECT_NEAR(measured / expected, 1, 1e-12);
-  EXPECT_EQ(run.states[last].body.position_in_world.y(), 0);
+  return std::abs(measured / expected - 1);
+}
+
+TEST(BuiltinScenarios, SlideAcceleratesByTheClosedForm) {
+  Scenario scenario = builtin("slide");
+  EXPECT_LE(slide_error(scenario), 1e-9) << "pebbles lag behind by v h, so that the pitch drifts slowly";
+  scenario.machine = builtin("parked-one-5").machine;
+  EXPECT_LE(slide_error(scenario), 1e-12);
 }
 
 TEST(BuiltinScenarios, TiltSlipsAtTheFrictionAtRestAndGoesOnAtThatOfSliding) {
@@ -78,7 +85,10 @@ TEST(BuiltinScenarios, TiltSlipsAtTheFrictionAtRestAndGoesOnAtThatOfSliding) {
   while (!has_grip(run.states.at(slip), Grip::slip)) ++slip;
   const double tangent = -scenario.inputs.at(run.times[slip] - scenario.h).gravity_in_world.x() / g;
   EXPECT_NEAR(tangent, 0.5, 2 * 0.01 * scenario.h) << "within two steps";
-  for (std::size_t i = slip + 2; i < run.states.size(); ++i) ASSERT_TRUE(has_grip(run.states[i], Grip::slip));
+  const auto sticks = std::count_if(run.states.begin() + static_cast<std::ptrdiff_t>(slip), run.states.end(),
+                                    [](const MotionState& state) { return has_grip(state, Grip::stick); });
+  EXPECT_LE(sticks, 3) << "sliding friction is less: it does not hold again";
+  EXPECT_GT(speed_of(run.states.back()), 5);
 }
 
 TEST(BuiltinScenarios, StopsTakeTheLengthThatFrictionGives) {
@@ -145,7 +155,7 @@ TEST(BuiltinScenarios, SeamTouchesDownOnTheSeamToTheLastBit) {
     ASSERT_NE(contact_of(touch->wheels[wheel]), nullptr);
     EXPECT_EQ(contact_of(touch->wheels[wheel])->pebble_in_world[0], 0);
   }
-  EXPECT_GT(run.states.back().body.position_in_world.z(), 5) << "goes up the ramp";
+  EXPECT_NEAR(run.states.back().body.position_in_world.z(), 1.1 - g / (24 * 24), 1e-3);
 }
 
 TEST(BuiltinScenarios, EdgeLeavesTheGroundForGood) {
