@@ -29,7 +29,7 @@ class Stiff : public ::testing::TestWithParam<double> {};
 
 TEST_P(Stiff, TheParkedStandStillToTheBit) {
   for (const char* name : {"parked-10", "parked-one-10"}) {
-    const Summary summary = play(implicit_scenario(name, GetParam(), 2000), "fast");
+    const Summary summary = play(implicit_scenario(name, GetParam(), 800), "fast");
     EXPECT_EQ(summary.outcome, Halt::none) << name;
     EXPECT_EQ(summary.pebble_drift_m, 0) << name;
     EXPECT_LE(summary.border_violation, 1e-9) << name;

@@ -30,15 +30,18 @@ double path_error(Integrator integrator, int halvings) {
   scenario.start.position_in_world.z() = 1.1 - 9.81 / (heave * heave);
   scenario.duration = 8;
   double furthest = 0;
-  play(scenario, "fast", Repetitions::played,
-       [&](const Moment& moment) { furthest = std::max(furthest, moment.state.body.position_in_world.x()); });
+  bool moves_on = true;  // later it swings on its spring
+  play(scenario, "fast", Repetitions::played, [&](const Moment& moment) {
+    moves_on = moves_on && moment.state.body.velocity_in_world.x() > 0;
+    if (moves_on) furthest = moment.state.body.position_in_world.x();
+  });
   return furthest - exact_path;
 }
 
 TEST(StopDistance, IsSecondOrderWithAHalfKickAndFirstOrderWithout) {
   std::printf("%12s %22s %22s\n", "h, s", "semi-implicit, m", "half-kick, m");
   double last_plain = 0, last_kicked = 0;
-  for (int halvings = 0; halvings < 6; ++halvings) {
+  for (int halvings = 0; halvings < 5; ++halvings) {
     const double h = speed / deceleration / ((1000 + 1.0 / 3) * (1 << halvings));
     const double plain = path_error(Integrator::semi_implicit, halvings);
     const double kicked = path_error(Integrator::half_kick, halvings);
