@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <groundtruth/fast/hierarchy.hpp>
-#include <groundtruth/fast/lanes.hpp>
+#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 
 namespace groundtruth::fast {
@@ -28,33 +27,22 @@ class BoxProbe {
       constexpr double shortest_way = 1e-30;
       const double inverse =
           std::abs(way) > shortest_way ? 1 / way : (is_ascending ? 1 / shortest_way : -1 / shortest_way);
-      inverse_[axis] = static_cast<float>(inverse);
-      near_origin_[axis] = static_cast<float>(is_ascending ? from + pad : from - pad);
-      far_origin_[axis] = static_cast<float>(is_ascending ? from - pad : from + pad);
-      is_ascending_[axis] = is_ascending;
+      way_.inverse[axis] = static_cast<float>(inverse);
+      way_.near_origin[axis] = static_cast<float>(is_ascending ? from + pad : from - pad);
+      way_.far_origin[axis] = static_cast<float>(is_ascending ? from - pad : from + pad);
+      way_.is_ascending[axis] = is_ascending;
     }
   }
 
-  // Positions at which the children of the node may be met first; greater than `upper`, which is at most 1,
-  // where they are not before.
-  void meet(const BoxNode& node, double upper, float (&nearest)[BoxNode::width]) const {
-    FloatLanes near = FloatLanes::all(0), far = FloatLanes::all(static_cast<float>(upper * (1 + 0x1p-20)));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const FloatLanes near_side = FloatLanes::load(is_ascending_[axis] ? node.low[axis] : node.high[axis]);
-      const FloatLanes far_side = FloatLanes::load(is_ascending_[axis] ? node.high[axis] : node.low[axis]);
-      const FloatLanes inverse = FloatLanes::all(inverse_[axis]);
-      const FloatLanes stretched = FloatLanes::all(inverse_[axis] * (1 + 0x1p-20F));
-      near = greater((near_side - FloatLanes::all(near_origin_[axis])) * inverse, near);
-      far = lesser((far_side - FloatLanes::all(far_origin_[axis])) * stretched, far);
-    }
-    choose(near <= far, near, FloatLanes::all(2)).store(nearest);
+  // The children of the node that may be met no later than `upper`, which is at most 1, as bits, and where
+  // they may be met first.
+  unsigned meet(const CellKernels& kernels, const BoxNode& node, double upper,
+                float (&nearest)[BoxNode::width]) const {
+    return kernels.meet_boxes(node, way_, static_cast<float>(upper * (1 + 0x1p-20)), nearest);
   }
 
  private:
-  float near_origin_[3];
-  float far_origin_[3];
-  float inverse_[3];
-  bool is_ascending_[3];
+  BoxWay way_;
 };
 
 }  // namespace groundtruth::fast

@@ -1,30 +1,16 @@
 #pragma once
 // Convex cells, four half-spaces abreast, and where a range certainly or possibly enters them. Not installed.
-//
-// Positions in a range are numbers s in [0, 1]: 0 at its first end, 1 at its last.
 
 #include <cstdint>
 
 #include <boost/container/small_vector.hpp>
+#include <groundtruth/fast/cell_kernels.hpp>
+#include <groundtruth/fast/meeting.hpp>
 #include <groundtruth/fast/parts.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 #include <groundtruth/problem/shape.hpp>
 
 namespace groundtruth::fast {
-
-// What is known of the first s at which a range lies in a part of the solid: lower <= s <= upper if it is
-// there at all; `upper` is 2 unless it certainly is. lower > 1: it certainly misses. upper < 0: the range
-// starts in the part's interior.
-struct Meeting {
-  double lower = 0;
-  double upper = 2;
-
-  bool misses() const { return lower > 1; }
-  bool certainly_hits() const { return upper <= 1; }
-  bool starts_inside() const { return upper < 0; }
-};
-
-inline constexpr Meeting no_meeting{2, 2};
 
 // An ask's range and what bounds the rounding of all that is computed with it.
 class Probe {
@@ -69,7 +55,7 @@ using OpenLeaves = boost::container::small_vector<OpenLeaf, 64>;
 // `error`, a usable error bound, of the exact ones.
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error);
 
-Meeting meet(const PackedCells& cells, const Cell& cell, const Probe& probe);
+Meeting meet(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe);
 
 // A leaf, and what is written on it.
 struct Face {
@@ -80,7 +66,8 @@ struct Face {
 
 // The one half-space of the cell through which the range can enter it at `meeting.lower` to
 // `meeting.upper`; no_leaf if there may be several or none. Requires a meeting that certainly hits.
-Face sole_face(const PackedCells& cells, const Cell& cell, const Probe& probe, const Meeting& meeting);
+Face sole_face(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe,
+               const Meeting& meeting);
 
 // Appends the half-spaces of the cell inside of which the range does not certainly stay.
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves);

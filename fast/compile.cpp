@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <groundtruth/fast/divide.hpp>
 #include <groundtruth/fast/scene.hpp>
@@ -29,13 +30,16 @@ class Compiler {
     if (hidden_rules_ > 0)
       scene_.left_out_.push_back(
           {Simplification::hidden_rules, hidden_rules_, "materials and paints under a material"});
+    for (const Expression& region : scene_.regions_)
+      scene_.region_boxes_.push_back(box_around(region, region.nodes.data()));
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
     if (options.has(Simplification::hidden_rules)) settle_materials();
   }
 
   Scene result() {
     scene_.solid_.leaves.shrink_to_fit();
-    scene_.rule_of_leaf_.shrink_to_fit();
+    scene_.solid_.nodes.shrink_to_fit();
+    scene_.rule_runs_.shrink_to_fit();
     scene_.rules_.shrink_to_fit();
     return std::move(scene_);
   }
@@ -63,9 +67,8 @@ class Compiler {
     PackedCells& cells = scene_.parts_.cells;
     for (Cell& cell : cells.cells) {
       std::optional<std::uint32_t> common;
-      for (std::uint32_t place = 4 * cell.first_group; place != 4 * cell.end_group; ++place) {
-        if (cells.leaves[place] == no_leaf) continue;
-        const std::uint32_t material = material_of(cells.leaves[place]);
+      for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
+        const std::uint32_t material = material_of(cells.leaf_at(cell, place));
         if (common && *common != material) common = by_rules;
         if (!common) common = material;
       }
@@ -74,10 +77,15 @@ class Compiler {
   }
 
   std::uint32_t material_of(std::uint32_t leaf) const {
-    const auto& place = scene_.rule_of_leaf_[leaf];
+    const auto place = scene_.rule_of(leaf);
     if (!place) return no_material;
     const MaterialRule& rule = scene_.rules_[*place];
     return rule.region || rule.outer_rule ? by_rules : static_cast<std::uint32_t>(rule.material);
+  }
+
+  void note_rule(std::uint32_t leaf, std::uint32_t rule) {
+    if (scene_.rule_runs_.empty() || scene_.rule_runs_.back().rule != rule)
+      scene_.rule_runs_.push_back({leaf, rule});
   }
 
   // Lays out an operator whose operands `add_operands` adds; one with a single operand is that operand.
@@ -105,7 +113,7 @@ class Compiler {
   void add(const Site& site, const HalfSpace& half_space, Operator& op) {
     const auto leaf = static_cast<std::uint32_t>(site.expression.leaves.size());
     site.expression.leaves.push_back(half_space);
-    if (site.role == Role::solid) scene_.rule_of_leaf_.push_back(site.rule);
+    if (site.role == Role::solid) note_rule(leaf, site.rule.value_or(RuleRun::no_rule));
     if (op.kind != NodeKind::intersection_of || !op.ends_in_cell(site.expression.nodes)) {
       add_node(site, NodeKind::cell, op);
       site.expression.nodes.back().first_leaf = leaf;
@@ -152,8 +160,19 @@ class Compiler {
       ++hidden_rules_;
       return add(site, over, op);
     }
+    add(Site{site.expression, site.role, number_of(rule)}, over, op);
+  }
+
+  // A rule without a region that is like an earlier one is that one.
+  std::uint32_t number_of(const MaterialRule& rule) {
+    const auto next = static_cast<std::uint32_t>(scene_.rules_.size());
+    if (!rule.region) {
+      const std::pair key{rule.material, rule.outer_rule};
+      const auto [at, is_new] = rule_without_region_.try_emplace(key, next);
+      if (!is_new) return at->second;
+    }
     scene_.rules_.push_back(rule);
-    add(Site{site.expression, site.role, static_cast<std::uint32_t>(scene_.rules_.size() - 1)}, over, op);
+    return next;
   }
 
   void add_operator(const Site& site, NodeKind kind, const std::vector<Shape>& operands, Operator& op) {
@@ -174,8 +193,17 @@ class Compiler {
 
   const CompileOptions& options_;
   std::size_t hidden_rules_ = 0;
+  std::map<std::pair<MaterialIndex, std::optional<std::uint32_t>>, std::uint32_t> rule_without_region_;
   Scene scene_;
 };
+
+std::optional<std::uint32_t> Scene::rule_of(std::uint32_t leaf) const {
+  const auto next =
+      std::upper_bound(rule_runs_.begin(), rule_runs_.end(), leaf,
+                       [](std::uint32_t number, const RuleRun& run) { return number < run.first_leaf; });
+  const std::uint32_t rule = std::prev(next)->rule;
+  return rule == RuleRun::no_rule ? std::nullopt : std::optional(rule);
+}
 
 Scene compile(const groundtruth::Scene& scene, const CompileOptions& options) {
   return Compiler(scene, options).result();

@@ -25,6 +25,12 @@ inline constexpr std::size_t number_of_simplifications = 8;
 
 std::string_view name_of(Simplification simplification);
 
+// Which instructions answer asks; answers are the same bits.
+enum class Instructions {
+  best,      // the quickest that this processor has
+  portable,  // those that every processor has which this library is built for
+};
+
 class CompileOptions {
  public:
   // All simplifications are on.
@@ -34,9 +40,16 @@ class CompileOptions {
     off_.set(static_cast<std::size_t>(simplification));
     return *this;
   }
+  CompileOptions& answer_with(Instructions instructions) {
+    instructions_ = instructions;
+    return *this;
+  }
   bool has(Simplification simplification) const { return !off_[static_cast<std::size_t>(simplification)]; }
 
+  Instructions instructions() const { return instructions_; }
+
  private:
+  Instructions instructions_ = Instructions::best;
   std::bitset<number_of_simplifications> off_;
 };
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include <groundtruth/fast/cell_kernels.hpp>
+
 namespace groundtruth::fast {
 
 namespace {
@@ -19,6 +21,8 @@ class Divider {
       : solid_(solid), options_(options), left_out_(left_out) {}
 
   Parts result() {
+    parts_.kernels =
+        options_.instructions() == Instructions::portable ? &portable_cell_kernels : &best_cell_kernels();
     const Node* root = solid_.nodes.data();
     if (root->kind != NodeKind::union_of) {
       add(root);
@@ -55,7 +59,7 @@ class Divider {
     if (node->kind == NodeKind::nothing) return;
     const auto place = static_cast<std::uint32_t>(node - solid_.nodes.data());
     if (!is_convex(node)) {
-      general_.push_back({place, 0, 0, box_of(node)});
+      general_.push_back({place, 0, 0, box_around(solid_, node)});
       return;
     }
     const auto first = static_cast<std::uint32_t>(leaves_.size());
@@ -88,25 +92,6 @@ class Divider {
     return true;
   }
 
-  Box box_of(const Node* node) const {
-    switch (node->kind) {
-      case NodeKind::nothing:
-        return nowhere;
-      case NodeKind::everything:
-        return {};
-      case NodeKind::cell:
-        return box_around({solid_.leaves.data() + node->first_leaf, node->end_leaf - node->first_leaf});
-      case NodeKind::union_of:
-      case NodeKind::intersection_of:
-        break;
-    }
-    Box box = node->kind == NodeKind::union_of ? nowhere : Box{};
-    for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size)
-      box =
-          node->kind == NodeKind::union_of ? hull(box, box_of(operand)) : intersection(box, box_of(operand));
-    return box;
-  }
-
   // A point of a cell strictly inside a half-space of the union is interior, whatever the cell says.
   void drop_buried() {
     if (!has(Simplification::buried_parts)) return;
@@ -129,24 +114,23 @@ class Divider {
 
   void pack() {
     index();
+    parts_.cells.cells.reserve(order_.size());
     for (const std::uint32_t place : order_) pack_cell(convex_[place]);
     for (const ConvexPart& part : general_) parts_.general.push_back(part.node);
   }
 
   void pack_cell(const ConvexPart& part) {
-    PackedCells& cells = parts_.cells;
-    cells.begin_cell();
-    std::vector<std::uint32_t> kept(leaves_.begin() + part.first_leaf, leaves_.begin() + part.end_leaf);
-    for (std::size_t i = 0; i < kept.size();) {
-      std::size_t* const reason = reason_to_drop(part, kept, i);
+    kept_.assign(leaves_.begin() + part.first_leaf, leaves_.begin() + part.end_leaf);
+    for (std::size_t i = 0; i < kept_.size();) {
+      std::size_t* const reason = reason_to_drop(part, kept_, i);
       if (reason) {
         ++*reason;
-        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
       } else {
-        cells.add(solid_.leaves[kept[i]], kept[i]);
         ++i;
       }
     }
+    parts_.cells.add(kept_, solid_.leaves);
   }
 
   // Null: kept[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others
@@ -256,6 +240,7 @@ class Divider {
   std::vector<ConvexPart> convex_, general_;
   std::vector<std::uint32_t> order_;  // of the convex parts
   std::vector<HalfSpace> half_spaces_;
+  std::vector<std::uint32_t> kept_;  // of one part
   std::unordered_map<std::size_t, std::uint32_t> first_leaf_by_hash_;
   Parts parts_;
   std::size_t duplicates_ = 0, empty_ = 0, buried_ = 0, redundant_ = 0;
@@ -268,6 +253,27 @@ std::string_view name_of(Simplification simplification) {
       "constants",    "duplicates", "empty-cells", "buried-parts", "redundant-half-spaces",
       "hidden-rules", "hierarchy",  "grid"};
   return names[static_cast<std::size_t>(simplification)];
+}
+
+Box box_around(const Expression& expression, const Node* node) {
+  switch (node->kind) {
+    case NodeKind::nothing:
+      return nowhere;
+    case NodeKind::everything:
+      return {};
+    case NodeKind::cell:
+      return box_around({expression.leaves.data() + node->first_leaf, node->end_leaf - node->first_leaf});
+    case NodeKind::union_of:
+    case NodeKind::intersection_of:
+      break;
+  }
+  const bool is_union = node->kind == NodeKind::union_of;
+  Box box = is_union ? nowhere : Box{};
+  for (const Node* operand = node + 1; operand != node + node->size; operand += operand->size) {
+    const Box one = box_around(expression, operand);
+    box = is_union ? hull(box, one) : intersection(box, one);
+  }
+  return box;
 }
 
 Parts divide(const Expression& solid, const CompileOptions& options, std::vector<LeftOut>& left_out) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <boost/container/static_vector.hpp>
-#include <groundtruth/fast/crossing.hpp>
+#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
 #include <groundtruth/fast/undecided.hpp>
@@ -12,27 +12,22 @@ namespace groundtruth::fast {
 
 namespace {
 
-struct Stages {
-  Stage place;
-  Stage lambda;
-};
-
 DecidedEntry on_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place,
-                     double lambda, Stages stages) {
+                     Stage place_stage, const RoundedLambda& lambda) {
   const FaceMaterial found = material_at(scene, probe, ask, place);
-  return {Border{lambda, place.face.leaf, place.face.half_space.normal, found.material}, stages.place,
-          stages.lambda, found.stage};
+  return {Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material}, place_stage,
+          lambda.stage, found.stage};
 }
 
 DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask, SearchResult& result) {
   const double lower = result.lower();
   const auto entry = decide(scene, probe, ask, result);
   if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
-  const Stage lambda_stage = entry->crossed ? Stage::exact : Stage::none;
-  if (entry->leaf == no_leaf) return {Inside{entry->lambda}, Stage::exact, lambda_stage, Stage::none};
+  const RoundedLambda& lambda = entry->lambda;
+  if (entry->leaf == no_leaf) return {Inside{lambda.value}, Stage::exact, lambda.stage, Stage::none};
   const HitPlace place{
       lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
-  return on_face(scene, probe, ask, place, entry->lambda, {Stage::exact, lambda_stage});
+  return on_face(scene, probe, ask, place, Stage::exact, lambda);
 }
 
 }  // namespace
@@ -45,11 +40,9 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
   if (result.contenders.empty()) return {Miss{}, Stage::doubles, Stage::none, Stage::none};
   const Face face = sole_face(scene, probe, result);
   if (face.leaf == no_leaf) return exactly(scene, probe, ask, result);
-  const auto lambda = rounded_crossing(face.half_space, ask);
   const HitPlace place{result.lower(), result.upper, face, face.half_space};
-  return lambda ? on_face(scene, probe, ask, place, *lambda, {Stage::doubles, Stage::double_pair})
-                : on_face(scene, probe, ask, place, exact_stage::crossing(face.half_space, ask),
-                          {Stage::doubles, Stage::exact});
+  return on_face(scene, probe, ask, place, Stage::doubles,
+                 correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask));
 }
 
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }

@@ -24,14 +24,15 @@ Squares squares_of(const Grid& grid, const Box& box) {
           grid.row_of(box.low[grid.along]), grid.row_of(box.high[grid.along])};
 }
 
-GridEntry entry_of(const Box& box, std::uint32_t part) {
-  GridEntry entry;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    entry.low[axis] = rounded_down(box.low[axis]);
-    entry.high[axis] = rounded_up(box.high[axis]);
-  }
-  entry.part = part;
-  return entry;
+GridEntry entry_of(const Grid& grid, const Box& box, std::uint32_t column, std::uint32_t row,
+                   std::uint32_t part) {
+  return {grid.part_of_column(box.low[grid.across], column),
+          grid.part_of_column(box.high[grid.across], column),
+          grid.part_of_row(box.low[grid.along], row),
+          grid.part_of_row(box.high[grid.along], row),
+          rounded_down(box.low[grid.upward]),
+          rounded_up(box.high[grid.upward]),
+          part};
 }
 
 // About as many squares as parts, over the two axes along which the scene is widest.
@@ -43,6 +44,7 @@ Grid lay_out(const Box& scene, std::size_t parts) {
     if (width(axis) < width(thinnest)) thinnest = axis;
   grid.across = thinnest == 0 ? 1 : 0;
   grid.along = thinnest == 2 ? 1 : 2;
+  grid.upward = thinnest;
   const double area = width(grid.across) * width(grid.along);
   const double square = std::max(std::sqrt(area / static_cast<double>(parts)),
                                  std::max(width(grid.across), width(grid.along)) / 0x1p16);
@@ -74,17 +76,22 @@ Grid build_grid(const std::vector<Box>& boxes, const std::vector<std::uint32_t>&
       const Squares squares = squares_of(grid, boxes[part]);
       for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
         for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column)
-          each(std::size_t{row} * grid.columns + column, part);
+          each(column, row, part);
     }
   };
   grid.starts.assign(std::size_t{grid.columns} * grid.rows + 1, 0);
-  visit([&](std::size_t square, std::uint32_t) { ++grid.starts[square + 1]; });
+  const auto square_of = [&](std::uint32_t column, std::uint32_t row) {
+    return std::size_t{row} * grid.columns + column;
+  };
+  visit([&](std::uint32_t column, std::uint32_t row, std::uint32_t) {
+    ++grid.starts[square_of(column, row) + 1];
+  });
   for (std::size_t square = 1; square < grid.starts.size(); ++square)
     grid.starts[square] += grid.starts[square - 1];
   grid.entries.resize(entries);
   std::vector<std::uint32_t> next(grid.starts.begin(), grid.starts.end() - 1);
-  visit([&](std::size_t square, std::uint32_t part) {
-    grid.entries[next[square]++] = entry_of(boxes[part], part);
+  visit([&](std::uint32_t column, std::uint32_t row, std::uint32_t part) {
+    grid.entries[next[square_of(column, row)]++] = entry_of(grid, boxes[part], column, row, part);
   });
   return grid;
 }

@@ -23,6 +23,18 @@ inline bool is_served(const Grid& grid, const Squares& squares) {
   return grid.rows > 0 && squares.count() <= most_squares;
 }
 
+// Places in a square are monotone, so that what lies beyond another there does so in space.
+struct SquareProbe {
+  std::uint8_t first_across, last_across, first_along, last_along;
+  double low, high;
+
+  bool reaches(const GridEntry& entry) const {
+    return entry.first_across <= last_across && entry.last_across >= first_across &&
+           entry.first_along <= last_along && entry.last_along >= first_along && double{entry.low} <= high &&
+           double{entry.high} >= low;
+  }
+};
+
 // The box around a range, grown by what rounding did to its ends.
 class GridProbe {
  public:
@@ -38,10 +50,14 @@ class GridProbe {
             grid.row_of(low_[grid.along]), grid.row_of(high_[grid.along])};
   }
 
-  bool reaches(const GridEntry& entry) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (double{entry.low[axis]} > high_[axis] || double{entry.high[axis]} < low_[axis]) return false;
-    return true;
+  // The part of it that concerns one square.
+  SquareProbe in_square(const Grid& grid, std::uint32_t column, std::uint32_t row) const {
+    return {grid.part_of_column(low_[grid.across], column),
+            grid.part_of_column(high_[grid.across], column),
+            grid.part_of_row(low_[grid.along], row),
+            grid.part_of_row(high_[grid.along], row),
+            low_[grid.upward],
+            high_[grid.upward]};
   }
 
  private:

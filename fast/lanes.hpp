@@ -1,70 +1,170 @@
 #pragma once
-// Several numbers abreast, in vectors of the 16 bytes that every x86-64 has. Compilers split wider ones into
-// single numbers where they are compared or chosen from. Not installed.
+// Several numbers abreast, in vectors of the 16 bytes that every x86-64 has. Not installed.
 //
-// Every lane is IEEE arithmetic, each operation rounded: the bits are the same on every machine.
+// Every lane is IEEE arithmetic, each operation rounded: the bits are the same on every machine. The kernels
+// are templates over such lanes, so that no function of one set of instructions can stand in for another's.
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
+
+#ifdef __SSE4_1__
+#include <immintrin.h>
+#endif
 
 namespace groundtruth::fast {
 
-// Two vectors as one. Vector: of 16 bytes; Mask: what comparing two of them gives.
-template <class Number, class Vector, class Mask>
-struct LanesOf {
-  static constexpr int width = 2 * static_cast<int>(sizeof(Vector) / sizeof(Number));
+using V2d = double __attribute__((vector_size(16)));
+using V2i = std::int64_t __attribute__((vector_size(16)));
+using V4f = float __attribute__((vector_size(16)));
+using V4i = std::int32_t __attribute__((vector_size(16)));
 
-  struct Choice {
-    Mask low;
-    Mask high;
-    friend Choice operator&(const Choice& a, const Choice& b) { return {a.low & b.low, a.high & b.high}; }
-    friend Choice operator|(const Choice& a, const Choice& b) { return {a.low | b.low, a.high | b.high}; }
-    Choice operator~() const { return {~low, ~high}; }
-    bool any() const {
-      const Mask either = low | high;
-      using Halves = std::int64_t __attribute__((vector_size(16)));
-      const auto halves = reinterpret_cast<Halves>(either);
-      return (halves[0] | halves[1]) != 0;
-    }
-    bool operator[](int lane) const {
-      return lane < width / 2 ? low[lane] != 0 : high[lane - width / 2] != 0;
-    }
-  };
-
-  Vector low;
-  Vector high;
-
-  static LanesOf all(Number x) { return {Vector{} + x, Vector{} + x}; }
-  static LanesOf load(const Number* from) {
-    LanesOf lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
+// Of two numbers, or four. greater and lesser: the second where one is NaN, or both are equal.
+struct TwoDoubles {
+  using Number = double;
+  using Vector = V2d;
+  using Mask = V2i;
+  static constexpr int width = 2;
+#ifdef __SSE4_1__
+  static Vector greater(Vector a, Vector b) { return _mm_max_pd(a, b); }
+  static Vector lesser(Vector a, Vector b) { return _mm_min_pd(a, b); }
+  static Vector choose(Mask where, Vector a, Vector b) {
+    return _mm_blendv_pd(b, a, reinterpret_cast<Vector>(where));
   }
-  void store(Number* to) const { std::memcpy(to, this, sizeof *this); }
-  Number operator[](int lane) const { return lane < width / 2 ? low[lane] : high[lane - width / 2]; }
-
-  friend LanesOf operator+(const LanesOf& a, const LanesOf& b) { return {a.low + b.low, a.high + b.high}; }
-  friend LanesOf operator-(const LanesOf& a, const LanesOf& b) { return {a.low - b.low, a.high - b.high}; }
-  friend LanesOf operator*(const LanesOf& a, const LanesOf& b) { return {a.low * b.low, a.high * b.high}; }
-  friend LanesOf operator/(const LanesOf& a, const LanesOf& b) { return {a.low / b.low, a.high / b.high}; }
-  LanesOf operator-() const { return {-low, -high}; }
-  friend Choice operator<(const LanesOf& a, const LanesOf& b) { return {a.low < b.low, a.high < b.high}; }
-  friend Choice operator>(const LanesOf& a, const LanesOf& b) { return {a.low > b.low, a.high > b.high}; }
-  friend Choice operator<=(const LanesOf& a, const LanesOf& b) { return {a.low <= b.low, a.high <= b.high}; }
-  friend Choice operator>=(const LanesOf& a, const LanesOf& b) { return {a.low >= b.low, a.high >= b.high}; }
-
-  friend LanesOf choose(const Choice& where, const LanesOf& a, const LanesOf& b) {
-    return {where.low ? a.low : b.low, where.high ? a.high : b.high};
+  static unsigned bits(Mask mask) {
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<Vector>(mask)));
   }
-  // The second where one is NaN.
-  friend LanesOf greater(const LanesOf& a, const LanesOf& b) { return choose(a > b, a, b); }
-  friend LanesOf lesser(const LanesOf& a, const LanesOf& b) { return choose(a < b, a, b); }
+#else
+  static Vector choose(Mask where, Vector a, Vector b) { return where ? a : b; }
+  static Vector greater(Vector a, Vector b) { return choose(a > b, a, b); }
+  static Vector lesser(Vector a, Vector b) { return choose(a < b, a, b); }
+  static unsigned bits(Mask mask) { return (mask[0] != 0 ? 1U : 0U) | (mask[1] != 0 ? 2U : 0U); }
+#endif
 };
 
-using Lanes =
-    LanesOf<double, double __attribute__((vector_size(16))), std::int64_t __attribute__((vector_size(16)))>;
-using FloatLanes =
-    LanesOf<float, float __attribute__((vector_size(16))), std::int32_t __attribute__((vector_size(16)))>;
+struct FourFloats {
+  using Number = float;
+  using Vector = V4f;
+  using Mask = V4i;
+  static constexpr int width = 4;
+#ifdef __SSE4_1__
+  static Vector greater(Vector a, Vector b) { return _mm_max_ps(a, b); }
+  static Vector lesser(Vector a, Vector b) { return _mm_min_ps(a, b); }
+  static Vector choose(Mask where, Vector a, Vector b) {
+    return _mm_blendv_ps(b, a, reinterpret_cast<Vector>(where));
+  }
+  static unsigned bits(Mask mask) {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<Vector>(mask)));
+  }
+#else
+  static Vector choose(Mask where, Vector a, Vector b) { return where ? a : b; }
+  static Vector greater(Vector a, Vector b) { return choose(a > b, a, b); }
+  static Vector lesser(Vector a, Vector b) { return choose(a < b, a, b); }
+  static unsigned bits(Mask mask) {
+    unsigned bits = 0;
+    for (int i = 0; i < width; ++i) bits |= mask[i] != 0 ? 1U << i : 0U;
+    return bits;
+  }
+#endif
+};
+
+// One vector.
+template <class Of>
+struct OneVector {
+  using Number = typename Of::Number;
+  static constexpr int width = Of::width;
+
+  struct Choice {
+    typename Of::Mask mask;
+    friend Choice operator&(Choice a, Choice b) { return {a.mask & b.mask}; }
+    friend Choice operator|(Choice a, Choice b) { return {a.mask | b.mask}; }
+    unsigned bits() const { return Of::bits(mask); }  // the first lane's lowest
+  };
+
+  typename Of::Vector vector;
+
+  static OneVector all(Number x) { return {typename Of::Vector{} + x}; }
+  static OneVector load(const Number* from) {
+    OneVector lanes;
+    __builtin_memcpy(&lanes.vector, from, sizeof lanes.vector);
+    return lanes;
+  }
+  void store(Number* to) const { __builtin_memcpy(to, &vector, sizeof vector); }
+  Number operator[](int lane) const { return vector[lane]; }
+
+  friend OneVector operator+(OneVector a, OneVector b) { return {a.vector + b.vector}; }
+  friend OneVector operator-(OneVector a, OneVector b) { return {a.vector - b.vector}; }
+  friend OneVector operator*(OneVector a, OneVector b) { return {a.vector * b.vector}; }
+  friend OneVector operator/(OneVector a, OneVector b) { return {a.vector / b.vector}; }
+  OneVector operator-() const { return {-vector}; }
+  friend Choice operator<(OneVector a, OneVector b) { return {a.vector < b.vector}; }
+  friend Choice operator>(OneVector a, OneVector b) { return {a.vector > b.vector}; }
+  friend Choice operator<=(OneVector a, OneVector b) { return {a.vector <= b.vector}; }
+  friend Choice operator>=(OneVector a, OneVector b) { return {a.vector >= b.vector}; }
+  friend OneVector choose(Choice where, OneVector a, OneVector b) {
+    return {Of::choose(where.mask, a.vector, b.vector)};
+  }
+  friend OneVector greater(OneVector a, OneVector b) { return {Of::greater(a.vector, b.vector)}; }
+  friend OneVector lesser(OneVector a, OneVector b) { return {Of::lesser(a.vector, b.vector)}; }
+
+  Number greatest() const {
+    Number best = vector[0];
+    for (int i = 1; i < width; ++i) best = vector[i] > best ? vector[i] : best;
+    return best;
+  }
+  Number least() const {
+    Number best = vector[0];
+    for (int i = 1; i < width; ++i) best = vector[i] < best ? vector[i] : best;
+    return best;
+  }
+};
+
+// Two vectors as one.
+template <class Of>
+struct TwoVectors {
+  using Half = OneVector<Of>;
+  using Number = typename Of::Number;
+  static constexpr int width = 2 * Of::width;
+
+  struct Choice {
+    typename Half::Choice low, high;
+    friend Choice operator&(Choice a, Choice b) { return {a.low & b.low, a.high & b.high}; }
+    friend Choice operator|(Choice a, Choice b) { return {a.low | b.low, a.high | b.high}; }
+    unsigned bits() const { return low.bits() | high.bits() << Of::width; }
+  };
+
+  Half low, high;
+
+  static TwoVectors all(Number x) { return {Half::all(x), Half::all(x)}; }
+  static TwoVectors load(const Number* from) { return {Half::load(from), Half::load(from + Of::width)}; }
+  void store(Number* to) const {
+    low.store(to);
+    high.store(to + Of::width);
+  }
+  Number operator[](int lane) const { return lane < Of::width ? low[lane] : high[lane - Of::width]; }
+
+  friend TwoVectors operator+(TwoVectors a, TwoVectors b) { return {a.low + b.low, a.high + b.high}; }
+  friend TwoVectors operator-(TwoVectors a, TwoVectors b) { return {a.low - b.low, a.high - b.high}; }
+  friend TwoVectors operator*(TwoVectors a, TwoVectors b) { return {a.low * b.low, a.high * b.high}; }
+  friend TwoVectors operator/(TwoVectors a, TwoVectors b) { return {a.low / b.low, a.high / b.high}; }
+  TwoVectors operator-() const { return {-low, -high}; }
+  friend Choice operator<(TwoVectors a, TwoVectors b) { return {a.low < b.low, a.high < b.high}; }
+  friend Choice operator>(TwoVectors a, TwoVectors b) { return {a.low > b.low, a.high > b.high}; }
+  friend Choice operator<=(TwoVectors a, TwoVectors b) { return {a.low <= b.low, a.high <= b.high}; }
+  friend Choice operator>=(TwoVectors a, TwoVectors b) { return {a.low >= b.low, a.high >= b.high}; }
+  friend TwoVectors choose(Choice where, TwoVectors a, TwoVectors b) {
+    return {choose(where.low, a.low, b.low), choose(where.high, a.high, b.high)};
+  }
+  friend TwoVectors greater(TwoVectors a, TwoVectors b) {
+    return {greater(a.low, b.low), greater(a.high, b.high)};
+  }
+  friend TwoVectors lesser(TwoVectors a, TwoVectors b) {
+    return {lesser(a.low, b.low), lesser(a.high, b.high)};
+  }
+
+  Number greatest() const { return greater(low, high).greatest(); }
+  Number least() const { return lesser(low, high).least(); }
+};
+
+using Lanes = TwoVectors<TwoDoubles>;       // four
+using FloatLanes = TwoVectors<FourFloats>;  // eight
 
 }  // namespace groundtruth::fast

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include <groundtruth/fast/number_pair.hpp>
 
@@ -23,8 +22,13 @@ template <>
 inline constexpr double unit_of<double> = 0x1p-53;
 template <>
 inline constexpr double unit_of<Extended> = 0x1p-64;
-template <>
-inline constexpr double unit_of<Pair> = 0x1p-102;
+template <class Products>
+inline constexpr double unit_of<PairWith<Products>> = 0x1p-102;
+
+template <class Real>
+inline constexpr bool is_pair = false;
+template <class Products>
+inline constexpr bool is_pair<PairWith<Products>> = true;
 
 // Guarantees (lemma counted-roundings, proofs-notes/rounding-of-forces.md, section 1):
 // 1. |exact| <= size and |value - exact| <= error(), where size and error() are not finite if that is not so.
@@ -67,7 +71,12 @@ Counted<Real, 0> counted(double x) {
 // The difference is a number of its own, rounded once: where it is 0, so is its size.
 template <class Real>
 Counted<Real, 1> difference(double a, double b) {
-  const Real value = Real(a) - Real(b);
+  const Real value = [&] {
+    if constexpr (is_pair<Real>)
+      return Real::sum(a, -b);
+    else
+      return Real(a) - Real(b);
+  }();
   const double size = std::abs(static_cast<double>(value));
   return {value, size == 0 ? 0 : std::max(size * (1 + 0x1p-50), least_size)};
 }
@@ -86,9 +95,11 @@ Counted<Real, n> operator-(const Counted<Real, n>& a) {
 }
 template <class Real, int m, int n>
 Counted<Real, m + n + 1> operator*(const Counted<Real, m>& a, const Counted<Real, n>& b) {
-  if constexpr (std::is_same_v<Real, Pair> && m == 0)  // an input has no low part
+  if constexpr (is_pair<Real> && m == 0 && n == 0)  // an input has no low part
+    return {Real::product(a.value.high, b.value.high), product_of_sizes(a.size, b.size)};
+  else if constexpr (is_pair<Real> && m == 0)
     return {a.value.high * b.value, product_of_sizes(a.size, b.size)};
-  else if constexpr (std::is_same_v<Real, Pair> && n == 0)
+  else if constexpr (is_pair<Real> && n == 0)
     return {b.value.high * a.value, product_of_sizes(a.size, b.size)};
   else
     return {a.value * b.value, product_of_sizes(a.size, b.size)};
@@ -122,7 +133,10 @@ Counted<Real, m + n + 2> operator/(const Counted<Real, m>& a, const Counted<Real
 
 inline double root_of(double x) { return std::sqrt(x); }
 inline Extended root_of(Extended x) { return std::sqrt(x); }
-inline Pair root_of(const Pair& x) { return sqrt(x); }
+template <class Products>
+PairWith<Products> root_of(const PairWith<Products>& x) {
+  return sqrt(x);
+}
 
 // Lemma counted-root. Requires that the exact a is not negative.
 template <class Real, int n>
@@ -153,8 +167,8 @@ std::optional<double> nearest_double(const Counted<Extended, n>& a) {
   const auto low = static_cast<double>(a.value - error), high = static_cast<double>(a.value + error);
   return low == high && std::isfinite(low) ? std::optional(low + 0.0) : std::nullopt;
 }
-template <int n>
-std::optional<double> nearest_double(const Counted<Pair, n>& a) {
+template <class Products, int n>
+std::optional<double> nearest_double(const Counted<PairWith<Products>, n>& a) {
   if (a.size == 0) return 0.0;
   const double error = a.error() + std::abs(a.value.low) * 0x1p-50;
   const double low = a.value.high + (a.value.low - error), high = a.value.high + (a.value.low + error);

@@ -79,6 +79,27 @@ class RegionView {
   const HalfSpace& face_;
 };
 
+// Lemma hit-outside-box (proofs-notes/rounding.md): the hit's coordinate is off by at most 4 u (|x| + |y|)
+// and the ends' own error.
+bool is_outside(const Box& box, const Probe& probe, const HitPlace& place) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double x = probe.ends().first[axis], y = probe.ends().last[axis];
+    const double error =
+        0x8p-53 * (std::abs(x) + std::abs(y)) + 0x1.01p0 * probe.ends().coordinate_error + 0x1p-1000;
+    const double at_lower = x + place.lower * (y - x), at_upper = x + place.upper * (y - x);
+    if ((at_lower + error < box.low[axis] && at_upper + error < box.low[axis]) ||
+        (at_lower - error > box.high[axis] && at_upper - error > box.high[axis]))
+      return true;
+  }
+  return false;
+}
+
+Membership member_by_doubles(const Scene& scene, std::uint32_t region, const Probe& probe,
+                             const HitPlace& place) {
+  if (is_outside(scene.region_boxes()[region], probe, place)) return Membership::no;
+  return RegionView(scene.regions()[region], probe, place, place.face.half_space).of_whole();
+}
+
 }  // namespace
 
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
@@ -87,11 +108,12 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
   if (sure != by_rules) return {MaterialIndex{sure}, Stage::doubles};
   // Rules are linked from the innermost outwards, and the outermost that holds decides.
   FaceMaterial found;
-  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
+  for (auto at = scene.rule_of(static_cast<std::uint32_t>(place.face.leaf)); at;
+       at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     if (rule.region) {
       const Expression& region = scene.regions()[*rule.region];
-      Membership member = RegionView(region, probe, place, place.face.half_space).of_whole();
+      Membership member = member_by_doubles(scene, *rule.region, probe, place);
       if (member == Membership::open) {
         found.stage = Stage::exact;
         const exact_stage::ExpressionView view{region.nodes, region.leaves, {}};
@@ -107,12 +129,11 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
 std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
                                                                 const HitPlace& place) {
   std::optional<MaterialIndex> material;
-  for (auto at = scene.rule_of_leaf()[place.face.leaf]; at; at = scene.rules()[*at].outer_rule) {
+  for (auto at = scene.rule_of(static_cast<std::uint32_t>(place.face.leaf)); at;
+       at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     const Membership member =
-        rule.region
-            ? RegionView(scene.regions()[*rule.region], probe, place, place.face.half_space).of_whole()
-            : Membership::yes;
+        rule.region ? member_by_doubles(scene, *rule.region, probe, place) : Membership::yes;
     if (member == Membership::open) return std::nullopt;
     if (member == Membership::yes) material = rule.material;
   }

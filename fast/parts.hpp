@@ -2,6 +2,7 @@
 // The solid as a union of parts, in the form in which they are searched.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <groundtruth/fast/grid.hpp>
@@ -24,32 +25,42 @@ inline constexpr Leaf no_leaf = 0xffffffff;
 inline constexpr std::uint32_t by_rules = 0xffffffff;
 inline constexpr std::uint32_t no_material = 0xfffffffe;
 
-// An intersection of half-spaces. Places of its leaves are 4 * first_group, ... in PackedCells::leaves, which
-// need not be looked up if they are numbered on from first_leaf.
+// An intersection of half-spaces, in the groups from first_group on.
 struct Cell {
+  static constexpr std::uint32_t not_listed = 0xffffffff;
+
   std::uint32_t first_group = 0;
-  std::uint32_t end_group = 0;
-  float normal_size = 0;  // >= |n_x| + |n_y| + |n_z| of each
-  float offset_size = 0;  // >= |d| of each
-  std::uint32_t first_leaf = no_leaf;
-  std::uint32_t material = by_rules;  // of all its faces
+  std::uint32_t leaf_count = 0;
+  float normal_size = 0;                 // >= |n_x| + |n_y| + |n_z| of each
+  float offset_size = 0;                 // >= |d| of each
+  std::uint32_t first_leaf = 0;          // the number of the first; they are numbered on from there,
+  std::uint32_t listed_at = not_listed;  // unless they are listed in PackedCells::leaves
+  std::uint32_t material = by_rules;     // of all its faces
+
+  std::uint32_t end_group() const { return first_group + (leaf_count + 3) / 4; }
 };
 
 struct PackedCells {
   std::vector<HalfSpaces4> groups;
-  std::vector<std::uint32_t> leaves;  // by place; no_leaf where a group is filled up
+  std::vector<std::uint32_t> leaves;
   std::vector<Cell> cells;
 
-  // Appends a cell without half-spaces, then half-spaces to the last cell.
-  void begin_cell();
-  void add(const HalfSpace& half_space, Leaf leaf);
+  // Appends a cell of these half-spaces, by their numbers.
+  void add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces);
+
+  // Of the half-space at this place in the cell.
+  std::uint32_t leaf_at(const Cell& cell, std::uint32_t place) const;
+  HalfSpace half_space_at(const Cell& cell, std::uint32_t place) const;
 };
 
 // A convex cell, by its place in Parts::cells; from there on a node of the solid, by its place in
 // Parts::general.
 using Part = std::uint32_t;
 
+struct CellKernels;
+
 struct Parts {
+  const CellKernels* kernels = nullptr;  // the inner loops for this processor
   PackedCells cells;
   std::vector<std::uint32_t> general;  // where these operands start in the solid's nodes
   std::vector<Part> apart;             // not in the hierarchy: looked at one by one, first

@@ -12,11 +12,13 @@ constexpr std::size_t most_bytes_of_cell = 2 * sizeof(HalfSpaces4);
 
 }  // namespace
 
-Prefetcher::Prefetcher(const Scene& scene, const RangeEnds& ends) : scene_(scene), ends_(ends) {
+Prefetcher::Prefetcher(const Scene& scene, const RangeEnds& ends) : scene_(scene) {
   const Grid& grid = scene.parts().grid;
-  const Squares squares = GridProbe(ends).squares(grid);
+  const GridProbe near(ends);
+  const Squares squares = near.squares(grid);
   if (!is_served(grid, squares)) return;
   has_square_ = true;
+  here_ = near.in_square(grid, squares.first_column, squares.first_row);
   square_ = std::size_t{squares.first_row} * grid.columns + squares.first_column;
 }
 
@@ -36,11 +38,10 @@ void Prefetcher::fetch_entries() const {
 void Prefetcher::fetch_cells() {
   if (!has_square_) return;
   const Grid& grid = scene_.parts().grid;
-  const GridProbe near(ends_);
   for (std::uint32_t i = grid.starts[square_]; i != grid.starts[square_ + 1] && part_count_ < most_parts;
        ++i) {
     const GridEntry& entry = grid.entries[i];
-    if (!scene_.parts().is_cell(entry.part) || !near.reaches(entry)) continue;
+    if (!scene_.parts().is_cell(entry.part) || !here_.reaches(entry)) continue;
     parts_[part_count_++] = entry.part;
     fetch(&scene_.parts().cells.cells[entry.part]);
   }
@@ -50,10 +51,9 @@ void Prefetcher::fetch_half_spaces() const {
   const PackedCells& cells = scene_.parts().cells;
   for (std::size_t i = 0; i < part_count_; ++i) {
     const Cell& cell = cells.cells[parts_[i]];
-    if (cell.first_group == cell.end_group) continue;
+    if (cell.leaf_count == 0) continue;
     const char* const bytes = reinterpret_cast<const char*>(&cells.groups[cell.first_group]);
     for (std::size_t at = 0; at < most_bytes_of_cell; at += 64) fetch(bytes + at);
-    fetch(&cells.leaves[4 * cell.first_group]);
   }
 }
 

@@ -20,14 +20,25 @@ struct MaterialRule {
   std::optional<std::uint32_t> outer_rule;  // the next one on the way to the root, a place in Scene::rules
 };
 
+// The leaves from first_leaf to the next run's have this innermost rule.
+struct RuleRun {
+  static constexpr std::uint32_t no_rule = 0xffffffff;
+
+  std::uint32_t first_leaf = 0;
+  std::uint32_t rule = no_rule;
+};
+
 class Scene {
  public:
   const Expression& solid() const { return solid_; }
   const Parts& parts() const { return parts_; }
   const std::vector<Expression>& regions() const { return regions_; }
+  // Certainly around each of them.
+  const std::vector<Box>& region_boxes() const { return region_boxes_; }
   const std::vector<MaterialRule>& rules() const { return rules_; }
-  // The innermost rule of each leaf of the solid.
-  const std::vector<std::optional<std::uint32_t>>& rule_of_leaf() const { return rule_of_leaf_; }
+  // The innermost rule of a leaf of the solid, a place in rules().
+  std::optional<std::uint32_t> rule_of(std::uint32_t leaf) const;
+  const std::vector<RuleRun>& rule_runs() const { return rule_runs_; }
   const std::vector<Material>& materials() const { return materials_; }
   // What compiling dropped, skipped and chosen, and why.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
@@ -39,8 +50,9 @@ class Scene {
   Expression solid_;
   Parts parts_;
   std::vector<Expression> regions_;
+  std::vector<Box> region_boxes_;
   std::vector<MaterialRule> rules_;
-  std::vector<std::optional<std::uint32_t>> rule_of_leaf_;
+  std::vector<RuleRun> rule_runs_;
   std::vector<Material> materials_;
   std::vector<LeftOut> left_out_;
 };

@@ -1,6 +1,7 @@
 #include <groundtruth/fast/search.hpp>
 
 #include <algorithm>
+#include <bit>
 
 #include <groundtruth/fast/box_probe.hpp>
 #include <groundtruth/fast/grid_probe.hpp>
@@ -14,6 +15,7 @@ double SearchResult::lower() const {
 }
 
 void SearchResult::drop_late_ones() {
+  if (contenders.size() < 2) return;
   std::size_t kept = 0;
   for (const Contender& contender : contenders)
     if (contender.meeting.lower <= upper) contenders[kept++] = contender;
@@ -63,10 +65,10 @@ class Search {
       }
       const BoxNode& node = nodes[top.child];
       float nearest[BoxNode::width];
-      box_probe.meet(node, result_.upper, nearest);
+      unsigned met = box_probe.meet(*scene_.parts().kernels, node, result_.upper, nearest);
       const std::size_t below = open.size();
-      for (std::uint32_t i = 0; i < BoxNode::width; ++i) {
-        if (nearest[i] > 1 || node.children[i] == BoxNode::no_child) continue;
+      for (; met != 0; met &= met - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
         open.push_back({nearest[i], node.children[i]});
         for (std::size_t at = open.size() - 1; at > below && open[at - 1].nearest < open[at].nearest; --at)
           std::swap(open[at - 1], open[at]);
@@ -83,9 +85,10 @@ class Search {
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::size_t square = std::size_t{row} * grid.columns + column;
+        const SquareProbe here = near.in_square(grid, column, row);
         for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i) {
           const GridEntry& entry = grid.entries[i];
-          if (!near.reaches(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
+          if (!here.reaches(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
           visit(entry.part);
           if (is_over()) return true;
         }
@@ -106,7 +109,7 @@ class Search {
 
   Meeting meet(Part part) {
     const Parts& parts = scene_.parts();
-    if (parts.is_cell(part)) return fast::meet(parts.cells, parts.cells.cells[part], probe_);
+    if (parts.is_cell(part)) return fast::meet(*parts.kernels, parts.cells, parts.cells.cells[part], probe_);
     SievedExpression sieved;
     sieve(scene_.solid(), scene_.solid().nodes.data() + parts.node_of(part), probe_, sieved);
     return fast::meet(sieved);
@@ -140,7 +143,8 @@ Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& resul
   const auto& [part, meeting] = result.contenders.front();
   if (!meeting.certainly_hits()) return {};
   const Parts& parts = scene.parts();
-  if (parts.is_cell(part)) return sole_face(parts.cells, parts.cells.cells[part], probe, meeting);
+  if (parts.is_cell(part))
+    return sole_face(*parts.kernels, parts.cells, parts.cells.cells[part], probe, meeting);
   SievedExpression sieved;
   sieve(scene.solid(), scene.solid().nodes.data() + parts.node_of(part), probe, sieved);
   const Leaf leaf = sole_leaf(sieved, meeting);

@@ -2,6 +2,7 @@
 // Where a range first meets the parts of a solid, as far as doubles can tell. Not installed.
 
 #include <boost/container/small_vector.hpp>
+#include <groundtruth/fast/grid_probe.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/fast/sieved.hpp>
@@ -49,7 +50,7 @@ class Prefetcher {
   static constexpr std::size_t most_parts = 4;
 
   const Scene& scene_;
-  RangeEnds ends_;
+  SquareProbe here_{};
   std::size_t square_ = 0;  // the first that the range is over
   bool has_square_ = false;
   std::uint32_t parts_[most_parts] = {};

@@ -1,6 +1,7 @@
 #pragma once
 // A step's answer together with the stages that decided it, for tests and histograms. Not installed.
 
+#include <groundtruth/fast/dispatch.hpp>
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/fast/stage.hpp>
 #include <groundtruth/problem/answer.hpp>
@@ -14,7 +15,7 @@ struct DecidedStep {
   Stage numbers = Stage::none;
 };
 
-// step() is its answer.
-DecidedStep decide_step(const Scene& scene, const StepAsk& ask);
+// step() is its answer, whatever the kernels.
+DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels = best_kernels());
 
 }  // namespace groundtruth::fast

@@ -21,9 +21,9 @@ class StepNumbers {
 
  private:
   std::optional<StepAnswer> first_contact(const Contacted& contacted) const {
-    const WorldFromWheel<Real> world_from_wheel(ask_.frame.world_from_wheel);
-    const Counted<Real, 0> zero;
-    const auto landing = CountedStrut(ask_, world_from_wheel, zero, zero).landing_on(contacted.plane);
+    const WheelAxes<Real> axes(ask_.frame.world_from_wheel);
+    const CountedVector<Real, 0> at_frame{};
+    const auto landing = CountedStrut(ask_, axes, at_frame).landing_on(contacted.plane);
     const auto pebble = nearest_doubles(landing.pebble_in_world);
     if (!pebble) return std::nullopt;
     return Stepped{contacted.surface.contact(Grip::stick, *pebble, {}), {}};
@@ -31,31 +31,33 @@ class StepNumbers {
 
   std::optional<StepAnswer> under(const Contact& contact) const {
     const Load<Real> load(ask_, contact);
-    const auto force = load.force_in_wheel();
+    const auto velocity = load.velocity();
+    const auto force = load.force(velocity);
     if (plan_.clipping != Clipping::none) {
       const auto grasp = load.grasp();
-      return ForceOnSurface(grasp, force).clipped(plan_.clipping, [&](const auto& clipped) {
-        return slip(load, clipped);
+      const auto forward = load.forward();
+      return ForceOnSurface(grasp, forward, force).clipped(plan_.clipping, [&](const auto& clipped) {
+        return slip(load, velocity, clipped);
       });
     }
     Contact stuck = contact;
     stuck.grip = Grip::stick;
     stuck.pebble_velocity_in_world = {};
-    return answer_with(stuck, load.world_from_wheel(), force);
+    return answer_with(stuck, force);
   }
 
-  template <int n>
-  std::optional<StepAnswer> slip(const Load<Real>& load, const CountedVector<Real, n>& clipped) const {
-    const auto& world_from_wheel = load.world_from_wheel();
-    if (std::holds_alternative<NoContact>(plan_.touch)) return answer_with(Free{}, world_from_wheel, clipped);
+  template <int m, int n>
+  std::optional<StepAnswer> slip(const Load<Real>& load, const CountedVector<Real, m>& old_velocity,
+                                 const CountedVector<Real, n>& clipped) const {
+    if (std::holds_alternative<NoContact>(plan_.touch)) return answer_with(Free{}, clipped);
     const auto& contacted = std::get<Contacted>(plan_.touch);
-    const auto x = load.relocated(clipped, 0), y = load.relocated(clipped, 1);
-    const auto landing = CountedStrut(ask_, world_from_wheel, x, y).landing_on(contacted.plane);
+    const auto offset = load.relocated(clipped, old_velocity);
+    const auto landing = CountedStrut(ask_, load.axes(), offset).landing_on(contacted.plane);
     const auto pebble = nearest_doubles(landing.pebble_in_world);
     if (!pebble) return std::nullopt;
     const auto velocity = nearest_doubles(velocity_of(load, landing));
     if (!velocity) return std::nullopt;
-    return answer_with(contacted.surface.contact(Grip::slip, *pebble, *velocity), world_from_wheel, clipped);
+    return answer_with(contacted.surface.contact(Grip::slip, *pebble, *velocity), clipped);
   }
 
   // From the old place to the new one in a step.
@@ -64,7 +66,7 @@ class StepNumbers {
     const auto inverse = counted<Real>(1) / counted<Real>(ask_.h);
     CountedVector<Real, n + 4> velocity;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      velocity[axis] = (landing.from_frame_in_world[axis] - load.arm_in_world()[axis]) * inverse;
+      velocity[axis] = (landing.from_frame_in_world[axis] - load.arm()[axis]) * inverse;
     if (const auto& level = landing.level)
       velocity[level->axis] =
           difference<Real>(level->value, load.contact().pebble_in_world[level->axis]) * inverse;
@@ -74,12 +76,9 @@ class StepNumbers {
   // With the opposite force on the frame.
   template <int n>
   static std::optional<StepAnswer> answer_with(const WheelState& state,
-                                               const WorldFromWheel<Real>& world_from_wheel,
-                                               const CountedVector<Real, n>& force_in_wheel) {
-    const auto inverse = counted<Real>(-1) / square(world_from_wheel.norm_squared());
-    const auto in_world = world_from_wheel.to_world(force_in_wheel);
+                                               const CountedVector<Real, n>& force_on_pebble) {
     const auto force = nearest_doubles(
-        CountedVector<Real, n + 16>{in_world[0] * inverse, in_world[1] * inverse, in_world[2] * inverse});
+        CountedVector<Real, n>{-force_on_pebble[0], -force_on_pebble[1], -force_on_pebble[2]});
     if (!force) return std::nullopt;
     return Stepped{state, *force};
   }

@@ -35,24 +35,22 @@ class StepPlanner {
 
  private:
   std::optional<StepPlan> from_free() const {
-    const WorldFromWheel<Real> world_from_wheel(ask_.frame.world_from_wheel);
-    const Counted<Real, 0> zero;
-    auto touch = touch_at(world_from_wheel, zero, zero);
+    const WheelAxes<Real> axes(ask_.frame.world_from_wheel);
+    auto touch = touch_at(axes, CountedVector<Real, 0>{});
     if (!touch) return std::nullopt;
     return StepPlan{std::move(*touch), Clipping::none, false};
   }
 
   std::optional<StepPlan> from(const Contact& contact) const {
     const Load<Real> load(ask_, contact);
-    const auto& unit = load.world_from_wheel().norm_squared();
-    const auto& height = load.pebble_in_wheel()[2];
-    const auto extended = is_at_most(unit * counted<Real>(ask_.wheel.z_max), height);
+    const auto& unit = load.axes().norm_squared();
+    const auto extended = is_at_most(unit * counted<Real>(ask_.wheel.z_max), load.depth());
     if (!extended) return std::nullopt;
     if (*extended) return StepPlan{NoContact{}};
-    const auto compressed = is_at_most(height, unit * counted<Real>(ask_.wheel.z_min));
+    const auto compressed = is_at_most(load.depth(), unit * counted<Real>(ask_.wheel.z_min));
     if (!compressed) return std::nullopt;
     if (*compressed) return StepPlan{StepFailure::wheel_broken};
-    const auto upright = is_upright(load.normal_in_wheel(), ask_.wheel.min_uprightness);
+    const auto upright = is_upright_in_wheel(load.axes(), contact.normal_in_world);
     if (!upright) return std::nullopt;
     if (!*upright) return StepPlan{StepFailure::surface_too_steep};
     return under(load);
@@ -60,45 +58,50 @@ class StepPlanner {
 
   std::optional<StepPlan> under(const Load<Real>& load) const {
     const auto grasp = load.grasp();
-    const auto force = load.force_in_wheel();
-    const auto pressing = -dot(grasp.normal_in_wheel, force);  // F'_z |n| |q|^2
-    const Sign pressed = sign_of(pressing);
+    const auto velocity = load.velocity();
+    const auto force = load.force(velocity);
+    const auto forward = load.forward();
+    const ForceOnSurface on_surface(grasp, forward, force);
+    const Sign pressed = sign_of(on_surface.down());
     if (pressed == Sign::uncertain) return std::nullopt;
     if (pressed != Sign::positive) return StepPlan{NoContact{}};
     if (const auto& limit = load.contact().maximum_force) {
-      const auto limit_in_units = load.world_from_wheel().norm_squared() * counted<Real>(*limit);
-      const auto holds = is_at_most(
-          square(pressing), square(limit_in_units) * dot(grasp.normal_in_wheel, grasp.normal_in_wheel));
+      const auto holds =
+          is_at_most(square(on_surface.down()), square(counted<Real>(*limit)) * on_surface.n_squared());
       if (!holds) return std::nullopt;
       if (!*holds) return StepPlan{StepFailure::surface_gave_way};
     }
-    const ForceOnSurface on_surface(grasp, force);
     const auto clipping = on_surface.decide();
     if (!clipping) return std::nullopt;
     if (*clipping == Clipping::none) return StepPlan{NoContact{}, *clipping, true};
     auto touch = on_surface.clipped(*clipping, [&](const auto& clipped) {
-      return touch_at(load.world_from_wheel(), load.relocated(clipped, 0), load.relocated(clipped, 1));
+      return touch_at(load.axes(), load.relocated(clipped, velocity));
     });
     if (!touch) return std::nullopt;
     return StepPlan{std::move(*touch), *clipping, true};
   }
 
   template <int n>
-  std::optional<Touch> touch_at(const WorldFromWheel<Real>& world_from_wheel, const Counted<Real, n>& x,
-                                const Counted<Real, n>& y) const {
-    const auto found = face_along(scene_, CountedStrut(ask_, world_from_wheel, x, y).ends());
+  std::optional<Touch> touch_at(const WheelAxes<Real>& axes, const CountedVector<Real, n>& offset) const {
+    const auto found = face_along(scene_, CountedStrut(ask_, axes, offset).ends());
     if (!found) return std::nullopt;
     if (std::holds_alternative<NoContact>(*found)) return NoContact{};
     if (const auto* failure = std::get_if<StepFailure>(&*found)) return *failure;
     const auto& face = std::get<FaceFound>(*found);
     const HalfSpace& plane = scene_.solid().leaves[face.leaf];
-    const auto upright =
-        is_upright(world_from_wheel.to_wheel(counted<Real>(plane.normal)), ask_.wheel.min_uprightness);
+    const auto upright = is_upright_in_wheel(axes, plane.normal);
     if (!upright) return std::nullopt;
     if (!*upright) return StepFailure::surface_too_steep;
     const auto surface = surface_of(scene_, face.leaf, plane.normal, face.material, ask_.wheel.tyre);
     if (const auto* refusal = std::get_if<Refusal>(&surface)) return *refusal;
     return Contacted{std::get<Surface>(surface), plane};
+  }
+
+  std::optional<bool> is_upright_in_wheel(const WheelAxes<Real>& axes, const Vector& normal_in_world) const {
+    const auto normal = counted<Real>(normal_in_world);
+    const auto& unit = axes.norm_squared();
+    return is_upright(dot(axes.down(), normal), dot(normal, normal) * (unit * unit),
+                      ask_.wheel.min_uprightness);
   }
 
   const Scene& scene_;

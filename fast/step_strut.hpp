@@ -44,56 +44,61 @@ struct FaceFound {
 using FaceAlong = std::variant<NoContact, StepFailure, FaceFound>;
 std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends);
 
-// The strut at (x, y) in wheel coordinates.
+// The strut through frame + offset, in world coordinates.
 template <class Real, int n>
 class CountedStrut {
  public:
-  CountedStrut(const StepAsk& ask, const WorldFromWheel<Real>& world_from_wheel, const Counted<Real, n>& x,
-               const Counted<Real, n>& y)
-      : ask_(ask),
-        world_from_wheel_(world_from_wheel),
-        inverse_(counted<Real>(1) / world_from_wheel.norm_squared()),
-        x_(x),
-        y_(y) {}
+  CountedStrut(const StepAsk& ask, const WheelAxes<Real>& axes, const CountedVector<Real, n>& offset)
+      : ask_(ask), axes_(axes), offset_(offset) {}
 
   // In doubles.
   RangeEnds ends() const {
+    const auto inverse = counted<Real>(1) / axes_.norm_squared();
+    const auto depth = dot(axes_.down(), offset_) * inverse;
     RangeEnds ends;
-    place_end(ask_.wheel.z_min, ends.first, ends);
-    place_end(ask_.wheel.z_max, ends.last, ends);
+    place_end((counted<Real>(ask_.wheel.z_min) - depth) * inverse, ends.first, ends);
+    place_end((counted<Real>(ask_.wheel.z_max) - depth) * inverse, ends.last, ends);
     return ends;
   }
 
-  // Where the strut's line meets a plane: the height z over (x, y) follows from m . (x, y, z) = |q|^2 (d - n
-  // . b), m being the normal in wheel coordinates times |q|^2.
-  Landing<Real, n + 30> landing_on(const HalfSpace& plane) const {
-    const auto frame_in_world = counted<Real>(ask_.frame.position_in_world);
-    const auto normal_in_wheel = world_from_wheel_.to_wheel(counted<Real>(plane.normal));
-    const auto depth = counted<Real>(plane.offset) - dot(counted<Real>(plane.normal), frame_in_world);
-    const auto z =
-        (depth * world_from_wheel_.norm_squared() - (normal_in_wheel[0] * x_ + normal_in_wheel[1] * y_)) /
-        normal_in_wheel[2];
-    const auto offset = from_frame(CountedVector<Real, decltype(z)::roundings>{x_, y_, z});
-    Landing<Real, n + 30> landing{{}, {}, level_coordinate(plane)};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      landing.pebble_in_world[axis] = frame_in_world[axis] + offset[axis];
-      landing.from_frame_in_world[axis] = offset[axis];
-    }
-    if (landing.level) landing.pebble_in_world[landing.level->axis] = counted<Real>(landing.level->value);
-    return landing;
+  // Where the strut's line meets a plane: offset + t axis, n . (offset + t axis) = d - n . b.
+  Landing<Real, n + 20> landing_on(const HalfSpace& plane) const {
+    const auto level = level_coordinate(plane);
+    if (level)
+      return landing_at(level, (level_height(*level) - offset_[level->axis]) / axes_.down()[level->axis]);
+    const auto normal = counted<Real>(plane.normal);
+    const auto height =
+        (counted<Real>(plane.offset) - dot(normal, counted<Real>(ask_.frame.position_in_world))) -
+        dot(normal, offset_);
+    return landing_at(level, height / dot(normal, axes_.down()));
   }
 
  private:
-  template <int m>
-  CountedVector<Real, m + 12> from_frame(const CountedVector<Real, m>& in_wheel) const {
-    const auto longer = world_from_wheel_.to_world(in_wheel);
-    return {longer[0] * inverse_, longer[1] * inverse_, longer[2] * inverse_};
+  Counted<Real, 1> level_height(const LevelCoordinate& level) const {
+    return difference<Real>(level.value, ask_.frame.position_in_world[level.axis]);
   }
 
-  void place_end(double z, Vector& end, RangeEnds& ends) const {
-    const auto offset = from_frame(CountedVector<Real, n>{x_, y_, counted<Real>(z)});
+  template <int m>
+  Landing<Real, n + 20> landing_at(const std::optional<LevelCoordinate>& level,
+                                   const Counted<Real, m>& way) const {
+    Landing<Real, n + 20> landing{{}, {}, level};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto component = counted<Real>(ask_.frame.position_in_world[axis]) + offset[axis];
+      const auto from_frame = offset_[axis] + way * axes_.down()[axis];
+      landing.from_frame_in_world[axis] = from_frame;
+      landing.pebble_in_world[axis] = counted<Real>(ask_.frame.position_in_world[axis]) + from_frame;
+    }
+    if (level) {
+      landing.from_frame_in_world[level->axis] = level_height(*level);
+      landing.pebble_in_world[level->axis] = counted<Real>(level->value);
+    }
+    return landing;
+  }
+
+  template <int m>
+  void place_end(const Counted<Real, m>& way, Vector& end, RangeEnds& ends) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto component =
+          counted<Real>(ask_.frame.position_in_world[axis]) + (offset_[axis] + way * axes_.down()[axis]);
       end[axis] = static_cast<double>(component.value);
       const double error = component.error() + 0x1p-52 * std::abs(end[axis]);
       if (!(error <= ends.coordinate_error)) ends.coordinate_error = error;  // or if it is not a number
@@ -101,10 +106,8 @@ class CountedStrut {
   }
 
   const StepAsk& ask_;
-  const WorldFromWheel<Real>& world_from_wheel_;
-  const Counted<Real, 5> inverse_;  // 1 / |q|^2
-  const Counted<Real, n> x_;
-  const Counted<Real, n> y_;
+  const WheelAxes<Real>& axes_;
+  const CountedVector<Real, n>& offset_;
 };
 
 }  // namespace groundtruth::fast

@@ -30,9 +30,46 @@ std::optional<Vector> nearest_doubles(const CountedVector<Real, n>& v) {
   return rounded;
 }
 
+// A product to be summed on: an input has no low part.
 template <class Real, int m, int n>
-auto dot(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+Real loose_product(const Counted<Real, m>& a, const Counted<Real, n>& b) {
+  if constexpr (m == 0 && n == 0)
+    return Real::product(a.value.high, b.value.high);
+  else if constexpr (m == 0)
+    return Real::loose_product(a.value.high, b.value);
+  else if constexpr (n == 0)
+    return Real::loose_product(b.value.high, a.value);
+  else
+    return Real::loose_product(a.value, b.value);
+}
+
+// Lemma loose-pairs: as many roundings as one by one.
+template <class Real, int m, int n>
+Counted<Real, m + n + 3> dot(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {
+  if constexpr (is_pair<Real>) {
+    const Real first_two = Real::loose_sum(loose_product(a[0], b[0]), loose_product(a[1], b[1]));
+    const double size = (product_of_sizes(a[0].size, b[0].size) + product_of_sizes(a[1].size, b[1].size)) +
+                        product_of_sizes(a[2].size, b[2].size);
+    return {Real::loose_sum(first_two, loose_product(a[2], b[2])).tidy(), size};
+  } else {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+}
+
+// a b - c d, likewise.
+template <class Real, int m, int n>
+Counted<Real, m + n + 2> determinant(const Counted<Real, m>& a, const Counted<Real, n>& b,
+                                     const Counted<Real, m>& c, const Counted<Real, n>& d) {
+  if constexpr (is_pair<Real>)
+    return {Real::loose_sum(loose_product(a, b), -loose_product(c, d)).tidy(),
+            product_of_sizes(a.size, b.size) + product_of_sizes(c.size, d.size)};
+  else
+    return a * b - c * d;
+}
+template <class Real, int m, int n>
+CountedVector<Real, m + n + 2> cross(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {
+  return {determinant(a[1], b[2], a[2], b[1]), determinant(a[2], b[0], a[0], b[2]),
+          determinant(a[0], b[1], a[1], b[0])};
 }
 
 // a <= b?
@@ -43,19 +80,21 @@ std::optional<bool> is_at_most(const Counted<Real, m>& a, const Counted<Real, n>
   return sign != Sign::negative;
 }
 
-template <class Real, int n>
-std::optional<bool> is_upright(const CountedVector<Real, n>& normal_in_wheel, double min_uprightness) {
-  const auto& [x, y, z] = normal_in_wheel;
-  const Sign side = sign_of(z);
+// Of a normal as high along the wheel's z axis, downward, and as long as this.
+template <class Real, int m, int n>
+std::optional<bool> is_upright(const Counted<Real, m>& depth, const Counted<Real, n>& length_squared,
+                               double min_uprightness) {
+  const Sign side = sign_of(depth);
   if (side == Sign::uncertain) return std::nullopt;
   if (side != Sign::negative) return false;
-  return is_at_most(square(counted<Real>(min_uprightness)) * (square(x) + square(y)), square(z));
+  const auto t_squared = square(counted<Real>(min_uprightness));
+  return is_at_most(t_squared * length_squared, (counted<Real>(1) + t_squared) * square(depth));
 }
 
-// What a pebble bears on a surface.
-template <class Real, int n, int b>
+// Vectors may be in any axes, the same ones for all of a surface.
+template <class Real, int b>
 struct Grasp {
-  CountedVector<Real, n> normal_in_wheel;  // any length; upright
+  CountedVector<Real, 0> normal;  // any length; upright
   Counted<Real, 0> friction;
   Counted<Real, b> brake;
 };
@@ -63,33 +102,34 @@ struct Grasp {
 // What a clip does: SPEC section 4, stick and cases 1 to 3 of slip.
 enum class Clipping { none, onto_band_edge, onto_corner, onto_circle };
 
-// The force in the surface's axes, each as long as it is here:
-//   along  = F'_x r,      axis (-n_z, 0, n_x), of length r
-//   across = F'_y r |n|,  axis (-n_x n_y, r^2, -n_y n_z), of length r |n|
-//   down   = F'_z |n|,    axis -n
-template <class Real, int n, int f, int b>
+// The force along a surface with normal n. `forward`, g, is a positive multiple of X (SPEC section 4):
+//   along   = F'_x |g|
+//   turning = n x F, of length |F'_xy| |n|
+//   across  = F'_y |g| |n|, axis g x n
+//   down    = F'_z |n|
+// Lemma clipping-without-axes (proofs-notes/rounding-of-forces.md).
+template <class Real, int g, int f, int b>
 class ForceOnSurface {
  public:
-  ForceOnSurface(const Grasp<Real, n, b>& grasp, const CountedVector<Real, f>& force)
-      : grasp_(grasp),
-        r_squared_(square(x()) + square(z())),
-        n_squared_(r_squared_ + square(y())),
-        along_(x() * force[2] - z() * force[0]),
-        across_(r_squared_ * force[1] - y() * (x() * force[0] + z() * force[2])),
-        down_(-dot(grasp.normal_in_wheel, force)),
-        limit_(grasp.friction * down_) {}
+  ForceOnSurface(const Grasp<Real, b>& grasp, const CountedVector<Real, g>& forward,
+                 const CountedVector<Real, f>& force)
+      : grasp_(grasp), forward_(forward), force_(force) {}
+
+  // Each is computed where it is asked for: no clipping needs them all.
+  auto n_squared() const { return dot(grasp_.normal, grasp_.normal); }
+  auto down() const { return -dot(grasp_.normal, force_); }
 
   std::optional<Clipping> decide() const {
-    const auto within_band = is_at_most(square(along_), square(grasp_.brake) * r_squared_);
+    const auto within_band = is_at_most(square(along()), square(grasp_.brake) * g_squared());
     if (!within_band) return std::nullopt;
     if (!*within_band) return decide_slip();
-    const auto within_disc =
-        is_at_most(square(along_) * n_squared_ + square(across_), square(limit_) * r_squared_);
+    const auto within_disc = is_at_most(turning_squared(), square(limit()));
     if (!within_disc) return std::nullopt;
     return *within_disc ? Clipping::none : decide_slip();
   }
 
-  // with(force in wheel coordinates), for a clipping that is not `none`. Unlike roundings make unlike types.
+  // with(force, in the axes of the vectors), for a clipping that is not `none`. Unlike roundings make unlike
+  // types.
   template <class With>
   auto clipped(Clipping clipping, const With& with) const {
     if (clipping == Clipping::onto_band_edge) return with(onto_band_edge());
@@ -103,35 +143,75 @@ class ForceOnSurface {
     const Sign corner_sign = sign_of(corner);
     if (corner_sign == Sign::uncertain) return std::nullopt;
     if (corner_sign != Sign::positive) return Clipping::onto_circle;
-    const auto between_corners = is_at_most(square(across_), r_squared_ * corner);
+    const auto between_corners = is_at_most(square(across()), g_squared() * corner);
     if (!between_corners) return std::nullopt;
     if (*between_corners) return Clipping::onto_band_edge;
-    const auto beside_corner = is_at_most(square(grasp_.brake * across_), square(along_) * corner);
+    const auto beside_corner = is_at_most(square(grasp_.brake * across()), square(along()) * corner);
     if (!beside_corner) return std::nullopt;
     return *beside_corner ? Clipping::onto_corner : Clipping::onto_circle;
   }
 
-  // The slips H of SPEC section 4, cases 1 to 3.
+  // The slips of SPEC section 4, cases 1 to 3. Without a brake components can be 0, which a difference of
+  // rounded numbers never shows.
   auto onto_band_edge() const {
-    const auto inverse = one() / (r_squared_ * n_squared_);
-    return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
-                    across_ * inverse, down_ * r_squared_ * inverse);
+    using Corrected = decltype(corrected_to_band_edge());
+    using Projected = decltype(projected_on_line());
+    using Component =
+        Counted<Real, std::max(Corrected::value_type::roundings, Projected::value_type::roundings)>;
+    const auto component_of = [](const auto& v) {
+      return std::array<Component, 3>{Component(v[0]), Component(v[1]), Component(v[2])};
+    };
+    return grasp_.brake.size == 0 ? component_of(projected_on_line())
+                                  : component_of(corrected_to_band_edge());
+  }
+  auto corrected_to_band_edge() const {
+    const auto forward_squared = g_squared();
+    const auto ahead = along();
+    const auto missing =
+        (with_sign_of(ahead, grasp_.brake * root(forward_squared)) - ahead) / forward_squared;
+    return vector_of([&](std::size_t k) { return force_[k] + missing * forward_[k]; });
+  }
+  auto projected_on_line() const {
+    const auto length_squared = n_squared();
+    const auto aside = across() / (g_squared() * length_squared);
+    const auto pressed = down() / length_squared;
+    const auto across_axis = cross(forward_, grasp_.normal);
+    return vector_of([&](std::size_t k) { return aside * across_axis[k] - pressed * grasp_.normal[k]; });
   }
   auto onto_corner() const {
-    const auto inverse = one() / (r_squared_ * n_squared_);
-    return in_wheel(with_sign_of(along_, grasp_.brake * root(r_squared_)) * n_squared_ * inverse,
-                    with_sign_of(across_, root(corner_squared() * r_squared_)) * inverse,
-                    down_ * r_squared_ * inverse);
+    const auto inverse_length = one() / root(g_squared());
+    const auto inverse = one() / n_squared();
+    const auto ahead = with_sign_of(along(), grasp_.brake * inverse_length);
+    const auto aside = with_sign_of(across(), root(corner_squared()) * inverse_length * inverse);
+    const auto pressed = down() * inverse;
+    const auto across_axis = cross(forward_, grasp_.normal);
+    return vector_of([&](std::size_t k) {
+      return (ahead * forward_[k] + aside * across_axis[k]) - pressed * grasp_.normal[k];
+    });
   }
   auto onto_circle() const {
-    const auto length = root((square(along_) * n_squared_ + square(across_)) * r_squared_);
-    const auto inverse = one() / (length * n_squared_);
-    const auto scale = magnitude(limit_) * inverse;
-    return in_wheel(scale * along_ * n_squared_, scale * across_, down_ * length * inverse);
+    const auto part = magnitude(limit()) / root(turning_squared());
+    const auto pressed = (one() - part) * (down() / n_squared());
+    return vector_of([&](std::size_t k) { return part * force_[k] - pressed * grasp_.normal[k]; });
   }
 
+  template <class Axis>
+  static auto vector_of(const Axis& axis) {
+    const auto first = axis(0);
+    return CountedVector<Real, decltype(first)::roundings>{first, axis(1), axis(2)};
+  }
+
+  auto g_squared() const { return dot(forward_, forward_); }
+  auto along() const { return dot(forward_, force_); }
+  auto turning() const { return cross(grasp_.normal, force_); }
+  auto across() const { return dot(forward_, turning()); }
+  auto limit() const { return grasp_.friction * down(); }  // mu F'_z |n|
+  auto turning_squared() const {
+    const auto v = turning();
+    return square(v[0]) + square(v[1]) + square(v[2]);
+  }
   // s^2 |n|^2
-  auto corner_squared() const { return square(limit_) - square(grasp_.brake) * n_squared_; }
+  auto corner_squared() const { return square(limit()) - square(grasp_.brake) * n_squared(); }
 
   // No slip's sign of a component matters where it is uncertain: then the component is 0 (lemma slip-signs).
   template <int m, int k>
@@ -140,37 +220,11 @@ class ForceOnSurface {
     return approximate > 0 ? x : approximate < 0 ? -x : Counted<Real, k>{};
   }
 
-  template <class Along, class Across, class Down>
-  auto in_wheel(const Along& along, const Across& across, const Down& down) const {
-    const auto component = [&](const auto& along_axis, const auto& across_axis, const auto& normal) {
-      return along * along_axis + across * across_axis - down * normal;
-    };
-    const auto forward = component(-z(), -(x() * y()), x());
-    return CountedVector<Real, decltype(forward)::roundings>{forward, across * r_squared_ - down * y(),
-                                                             component(x(), -(y() * z()), z())};
-  }
-
-  using Normal = Counted<Real, n>;
-  using Force = Counted<Real, f>;
-  using RSquared = decltype(square(Normal()) + square(Normal()));
-  using NSquared = decltype(RSquared() + square(Normal()));
-  using Along = decltype(Normal() * Force() - Normal() * Force());
-  using Across = decltype(RSquared() * Force() - Normal() * Along());
-  using Down = decltype(dot(CountedVector<Real, n>(), CountedVector<Real, f>()));
-  using Limit = decltype(Counted<Real, 0>() * Down());
-
   static Counted<Real, 0> one() { return counted<Real>(1); }
-  const Normal& x() const { return grasp_.normal_in_wheel[0]; }
-  const Normal& y() const { return grasp_.normal_in_wheel[1]; }
-  const Normal& z() const { return grasp_.normal_in_wheel[2]; }
 
-  const Grasp<Real, n, b>& grasp_;
-  const RSquared r_squared_;
-  const NSquared n_squared_;
-  const Along along_;
-  const Across across_;
-  const Down down_;
-  const Limit limit_;  // mu F'_z |n|
+  const Grasp<Real, b>& grasp_;
+  const CountedVector<Real, g>& forward_;
+  const CountedVector<Real, f>& force_;
 };
 
 }  // namespace groundtruth::fast

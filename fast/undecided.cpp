@@ -58,6 +58,11 @@ void OpenSolid::add_general(const Contender& contender) {
   for (const OpenLeaf& leaf : sieved.leaves) add_leaf(leaf.leaf);
 }
 
+RoundedLambda OpenSolid::lambda(const exact_stage::FirstPoint& point, const EntryAsk& ask) const {
+  if (!point.crossed) return {ask.lambda_first + 0.0, Stage::none};
+  return correctly_rounded_crossing(*scene_.parts().kernels, leaf(*point.crossed), ask);
+}
+
 namespace {
 
 // An upper bound of s at a correctly rounded lambda.
@@ -69,7 +74,7 @@ double position_above(double lambda, const EntryAsk& ask) {
 }
 
 // More contenders than this are looked through one by one first.
-constexpr std::size_t few = 3;
+constexpr std::size_t few = 8;
 
 }  // namespace
 
@@ -89,14 +94,14 @@ std::optional<ExactEntry> decide(const Scene& scene, const Probe& probe, const E
       contenders.resize(contenders.size() - few);
       continue;
     }
-    result.upper = std::min(result.upper, position_above(point->lambda, ask));
+    result.upper = std::min(result.upper, position_above(open.lambda(*point, ask).value, ask));
     result.drop_late_ones();
     break;
   }
   open.assemble(contenders.data(), contenders.data() + contenders.size(), result.upper);
   const auto point = exact_stage::first_point(open.view(), ask);
   if (!point) return std::nullopt;
-  ExactEntry entry{point->lambda, no_leaf, std::nullopt};
+  ExactEntry entry{open.lambda(*point, ask), no_leaf, std::nullopt};
   if (point->leaf) entry.leaf = open.number(*point->leaf);
   if (point->crossed) entry.crossed = open.leaf(*point->crossed);
   return entry;

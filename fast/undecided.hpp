@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <boost/container/small_vector.hpp>
+#include <groundtruth/fast/crossing.hpp>
 #include <groundtruth/fast/exact_stage/entry.hpp>
 #include <groundtruth/fast/search.hpp>
 
@@ -23,6 +24,8 @@ class OpenSolid {
   }
   Leaf number(std::size_t place) const { return numbers_[place]; }
   const HalfSpace& leaf(std::size_t place) const { return leaves_[place]; }
+  // Of the first point of its view.
+  RoundedLambda lambda(const exact_stage::FirstPoint& point, const EntryAsk& ask) const;
 
  private:
   void add_cell(const Contender& contender, double upper);
@@ -37,7 +40,7 @@ class OpenSolid {
 };
 
 struct ExactEntry {
-  double lambda = 0;
+  RoundedLambda lambda;              // stage none: it is the range's first
   Leaf leaf = no_leaf;               // no_leaf: the range starts in the interior
   std::optional<HalfSpace> crossed;  // absent: lambda is the range's first
 };

@@ -1,7 +1,8 @@
 #pragma once
 // The last stage of a clip (SPEC section 4): in exact numbers, for any doubles at all. Not installed.
 
-#include <groundtruth/fast/exact_stage/corner.hpp>
+#include <groundtruth/fast/exact_stage/normal.hpp>
+#include <groundtruth/fast/exact_stage/surd.hpp>
 #include <groundtruth/problem/answer.hpp>
 #include <groundtruth/problem/ask.hpp>
 

@@ -21,15 +21,16 @@ struct SplitDouble {
   int exponent;
 };
 
+// Without branches: which of a leaf's numbers are zero is not to be guessed.
 inline SplitDouble split(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>(bits >> 52 & 0x7ff);
-  const std::uint64_t fraction = bits & 0xfffffffffffff;
-  const std::uint64_t magnitude = biased == 0 ? fraction : fraction | 0x10000000000000;
-  if (magnitude == 0) return {0, 0};
-  const int zeros = std::countr_zero(magnitude);
+  const std::uint64_t magnitude = (bits & 0xfffffffffffff) | std::uint64_t{biased != 0} << 52;
+  const int zeros = std::countr_zero(magnitude | std::uint64_t{1} << 63);
   const auto mantissa = static_cast<std::int64_t>(magnitude >> zeros);
-  return {x < 0 ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 1075 + zeros};
+  const std::int64_t sign = -static_cast<std::int64_t>(bits >> 63);
+  const int exponent = biased + (biased == 0) - 1075 + zeros;
+  return {(mantissa ^ sign) - sign, magnitude == 0 ? 0 : exponent};
 }
 
 class Dyadic {
@@ -53,6 +54,8 @@ class Dyadic {
   }
   friend Dyadic operator-(const Dyadic& a) { return {-a.mantissa_, a.exponent_}; }
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+
+  friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
 
   // Times 2^shift.
   Dyadic scaled(int shift) const { return {mantissa_, exponent_ + shift}; }

@@ -46,40 +46,88 @@ std::optional<FirstPoint> first_point_in_dyadics(const ExpressionView& solid, co
   Lines<DyadicNumbers> lines;
   for (const HalfSpace& leaf : solid.leaves) lines.push_back(segment.line(leaf));
   const auto found = find_first_point(DyadicNumbers{}, solid, lines, segment.length());
-  if (!found) return std::nullopt;
-  const double lambda = found->crossed ? segment.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
-  return FirstPoint{lambda, found->leaf, found->crossed};
+  return found ? std::optional(FirstPoint{found->leaf, found->crossed, 0}) : std::nullopt;
 }
 
-std::optional<FirstPoint> first_point_in_machine_integers(const Lattice& lattice, const ExpressionView& solid,
-                                                          const EntryAsk& ask) {
-  Lines<MachineNumbers> lines;
-  for (const HalfSpace& leaf : solid.leaves) lines.push_back(lattice.line(leaf));
-  const auto found = find_first_point(MachineNumbers{}, solid, lines, lattice.length());
-  if (!found) return std::nullopt;
-  const double lambda = found->crossed ? lattice.lambda(lines[*found->crossed]) : ask.lambda_first + 0.0;
-  return FirstPoint{lambda, found->leaf, found->crossed};
-}
-
-}  // namespace
-
-std::optional<FirstPoint> first_point(const ExpressionView& solid, const EntryAsk& ask) {
-  if (const auto lattice = Lattice::of(ask, solid.leaves))
-    return first_point_in_machine_integers(*lattice, solid, ask);
-  return first_point_in_dyadics(solid, ask);
-}
-
-bool contains(const ExpressionView& region, const EntryAsk& ask, const std::optional<HalfSpace>& crossed) {
-  if (region.nodes.empty()) return false;
+bool contains_in_dyadics(const ExpressionView& region, const EntryAsk& ask,
+                         const std::optional<HalfSpace>& crossed) {
   const DyadicSegment segment(ask);
   Lines<DyadicNumbers> lines;
   for (const HalfSpace& leaf : region.leaves) lines.push_back(segment.line(leaf));
   const Line<DyadicNumbers> place = crossed ? segment.line(*crossed) : Line<DyadicNumbers>{{}, 1.0, 1};
-  const DyadicNumbers numbers;
-  return Search<DyadicNumbers>(numbers, region, lines).contains(region.nodes.data(), &place);
+  return contains(DyadicNumbers{}, region, lines, &place);
+}
+
+// An ask and some leaves as integers of a fixed length.
+class Counted {
+ public:
+  Counted(const EntryAsk& ask, std::span<const HalfSpace> leaves) : ask_(ask), units_(ask), leaves_(leaves) {
+    for (const HalfSpace& leaf : leaves) leaf_units_.push_back(unit_of(leaf));
+  }
+
+  // Counts it in as well.
+  int unit_of(const HalfSpace& leaf) {
+    const Units::OfLeaf of_leaf = units_.of(leaf);
+    bits_ = std::max(bits_, of_leaf.bits);
+    return of_leaf.unit;
+  }
+
+  // Calls one of the two: `in_words` with a lattice of as few words as will do.
+  template <class InWords, class InDyadics>
+  auto decide(InWords in_words, InDyadics in_dyadics) const {
+    const int bits = std::max(bits_, units_.bits());
+    if (bits <= Fixed<1>::bits) return in_words(Lattice<1>(ask_, units_));
+    if (bits <= Fixed<2>::bits) return in_words(Lattice<2>(ask_, units_));
+    if (bits <= Fixed<4>::bits) return in_words(Lattice<4>(ask_, units_));
+    return in_dyadics();
+  }
+
+  template <std::size_t words>
+  Lines<FixedNumbers<words>> lines(const Lattice<words>& lattice) const {
+    Lines<FixedNumbers<words>> lines;
+    for (std::size_t i = 0; i < leaves_.size(); ++i)
+      lines.push_back(lattice.line(leaves_[i], leaf_units_[i]));
+    return lines;
+  }
+
+ private:
+  const EntryAsk& ask_;
+  const Units units_;
+  const std::span<const HalfSpace> leaves_;
+  boost::container::small_vector<int, 256> leaf_units_;
+  int bits_ = 0;
+};
+
+}  // namespace
+
+std::optional<FirstPoint> first_point(const ExpressionView& solid, const EntryAsk& ask) {
+  const Counted counted(ask, solid.leaves);
+  const auto in_words = [&]<std::size_t words>(const Lattice<words>& lattice) {
+    const auto found =
+        find_first_point(FixedNumbers<words>{}, solid, counted.lines(lattice), lattice.length());
+    return found ? std::optional(FirstPoint{found->leaf, found->crossed, words}) : std::nullopt;
+  };
+  return counted.decide(in_words, [&] { return first_point_in_dyadics(solid, ask); });
+}
+
+bool contains(const ExpressionView& region, const EntryAsk& ask, const std::optional<HalfSpace>& crossed) {
+  Counted counted(ask, region.leaves);
+  const int unit = crossed ? counted.unit_of(*crossed) : 0;
+  const auto in_words = [&]<std::size_t words>(const Lattice<words>& lattice) {
+    const auto lines = counted.lines(lattice);
+    const auto place = crossed ? lattice.line(*crossed, unit) : Line<FixedNumbers<words>>{{}, 1, 1};
+    return contains(FixedNumbers<words>{}, region, lines, &place);
+  };
+  return counted.decide(in_words, [&] { return contains_in_dyadics(region, ask, crossed); });
 }
 
 double crossing(const HalfSpace& half_space, const EntryAsk& ask) {
+  Counted counted(ask, {});
+  const int unit = counted.unit_of(half_space);
+  const auto by_division =
+      counted.decide([&](const auto& lattice) { return lattice.lambda(lattice.line(half_space, unit)); },
+                     [] { return std::optional<double>(); });
+  if (by_division) return *by_division;
   const DyadicSegment segment(ask);
   return segment.lambda(segment.line(half_space));
 }

@@ -19,20 +19,21 @@ struct ExpressionView {
 };
 
 struct FirstPoint {
-  double lambda = 0;  // lambda* correctly rounded
   // The canonical leaf's place in `leaves`; absent: the range starts in the interior.
   std::optional<std::size_t> leaf;
   // The place of a leaf that crosses zero at lambda*; absent: lambda* is the range's first.
   std::optional<std::size_t> crossed;
+  std::size_t words = 0;  // 64-bit words of the integers that decided; 0: as many as need be
 };
 
 // The first point of the range in the solid, exactly; nothing: a miss.
 // 1. Hit or miss, interior or border, and the canonical leaf are those of SPEC section 3 for exactly these
-//    doubles, subnormal ones and the largest included; lambda is correctly rounded.
-// 2. Where the numbers of the ask are short (some 60 bits for a normal, a coordinate and a range's end
-//    together) they are machine integers, else integers as long as need be.
-// 3. Allocates only where an integer needs more than 1,024 bits, for more than some 300 leaves (some 40 where
-//    integers are long), and where more than 8 faces meet at the point.
+//    doubles, subnormal ones and the largest included.
+// 2. Where the numbers of the ask are short (some 60, 120 or 250 bits for a normal, a coordinate and a
+// range's
+//    end together) they are integers of 1, 2 or 4 words, else integers as long as need be.
+// 3. Allocates only where an integer needs more than 1,024 bits, for more than some 150 leaves (some 40 where
+//    integers are as long as need be), and where more than 64 leaves meet at the point.
 // Requires what the ask requires, and of numbers nothing but that they are distinct.
 std::optional<FirstPoint> first_point(const ExpressionView& solid, const EntryAsk& ask);
 

@@ -68,15 +68,14 @@ class Strut {
 std::optional<MaterialIndex> material_at(const Scene& scene, Leaf leaf, const Strut& strut,
                                          const Line<SurdNumbers>& place) {
   std::optional<MaterialIndex> material;
-  for (auto rule_place = scene.rule_of_leaf()[leaf]; rule_place;
+  for (auto rule_place = scene.rule_of(static_cast<std::uint32_t>(leaf)); rule_place;
        rule_place = scene.rules()[*rule_place].outer_rule) {
     const MaterialRule& rule = scene.rules()[*rule_place];
     if (rule.region) {
       const Expression& expression = scene.regions()[*rule.region];
       const ExpressionView region{expression.nodes, expression.leaves, {}};
       const Lines<SurdNumbers> lines = strut.lines(region);
-      if (!Search<SurdNumbers>(strut.numbers(), region, lines).contains(region.nodes.data(), &place))
-        continue;
+      if (!contains(strut.numbers(), region, lines, &place)) continue;
     }
     material = rule.material;
   }

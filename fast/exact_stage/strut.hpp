@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include <groundtruth/fast/exact_stage/entry.hpp>
 #include <groundtruth/fast/exact_stage/rotation.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 #include <groundtruth/fast/step_contact.hpp>

@@ -29,6 +29,32 @@ Shape painted(MaterialIndex material, Shape where, Shape over) {
                   std::make_shared<const Shape>(std::move(over))}};
 }
 
+Shape with_each_plane(const Shape& shape, const std::function<HalfSpace(const HalfSpace&)>& replacement) {
+  return std::visit(
+      [&](const auto& expression) -> Shape {
+        using Expression = std::decay_t<decltype(expression)>;
+        if constexpr (std::is_same_v<Expression, HalfSpace>) {
+          return {replacement(expression)};
+        } else if constexpr (std::is_same_v<Expression, Union> || std::is_same_v<Expression, Intersection>) {
+          std::vector<Shape> operands;
+          operands.reserve(expression.operands.size());
+          for (const Shape& operand : expression.operands) {
+            operands.push_back(with_each_plane(operand, replacement));
+          }
+          return {Expression{std::move(operands)}};
+        } else if constexpr (std::is_same_v<Expression, Covered>) {
+          return covered(expression.material, with_each_plane(*expression.over, replacement));
+        } else if constexpr (std::is_same_v<Expression, Painted>) {
+          Shape where = with_each_plane(*expression.where, replacement);
+          return painted(expression.material, std::move(where),
+                         with_each_plane(*expression.over, replacement));
+        } else {
+          return {expression};
+        }
+      },
+      shape.expression);
+}
+
 std::size_t leaf_count(const Shape& shape) {
   return std::visit(
       [](const auto& expression) -> std::size_t {

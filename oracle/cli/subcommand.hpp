@@ -9,7 +9,15 @@
 namespace groundtruth::cli {
 
 // What the program exits with.
-enum class Exit { agrees = 0, disagrees = 1, usage = 2, unreadable = 3 };
+enum class Exit {
+  agrees = 0,
+  disagrees = 1,
+  usage = 2,
+  unreadable = 3,
+  broke_down = 4,
+  nothing_judged = 5,
+  interrupted = 130
+};
 
 struct Subcommand {
   CLI::App* command;
@@ -18,7 +26,11 @@ struct Subcommand {
 
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
+Subcommand add_judge(CLI::App& program);
+Subcommand add_merge(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
 Subcommand add_simulate(CLI::App& program);
+Subcommand add_validate(CLI::App& program);
+Subcommand add_vectors(CLI::App& program);
 
 }  // namespace groundtruth::cli

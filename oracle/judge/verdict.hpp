@@ -16,9 +16,10 @@ namespace groundtruth::judge {
 enum class Faces { any_admissible, canonical };
 
 struct Tolerance {
-  double metres = 0;             // tau: every half-space may be grown or shrunk by this much
-  double lambda_ulps = 1;        // beyond what tau allows
-  double normal_angle = 0;       // radians, of a normal against its leaf's
+  double metres = 0;       // tau: every half-space may be grown or shrunk by this much
+  double lambda_ulps = 1;  // beyond what tau allows
+  double normal_angle =
+      0x1p-50;                   // radians, of a normal against its leaf's: normalising in doubles costs less
   double relative_decision = 0;  // of clip and step: each decision within this of its scale
   double relative_number = 0;    // of clip and step: each vector, against its largest term
   Faces faces = Faces::any_admissible;

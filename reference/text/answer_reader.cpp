@@ -70,6 +70,29 @@ struct ReadAnswer {
 
 }  // namespace
 
+HelloAnswer read_hello(std::string_view text, const Origin& origin) {
+  const Json json = parse_json(text, origin);
+  const Field line(json, origin);
+  line.object();
+  HelloAnswer hello{line["hello"].text(), {}, {}};
+  if (const auto name = line.find("name"); name && name->is_text()) hello.name = name->text();
+  const auto asks = line.find("asks");
+  if (!asks || !std::holds_alternative<Json::Array>(asks->json().value)) return hello;
+  hello.asks.emplace();
+  for (std::size_t i = 0; i < asks->size(); ++i) {
+    if ((*asks)[i].is_text()) hello.asks->push_back((*asks)[i].text());
+  }
+  return hello;
+}
+
+std::string read_id(std::string_view text) {
+  try {
+    return id_of(parse_json(text, {}));
+  } catch (const BadInput&) {
+    return "null";
+  }
+}
+
 AnswerLine read_answer(std::string_view text, const Ask& ask, const Scene& scene, const Origin& origin) {
   const Json json = parse_json(text, origin);
   const Field line(json, origin);
@@ -85,6 +108,14 @@ AnswerLine read_answer(std::string_view text, const Ask& ask, const Scene& scene
   read.answer = std::visit(ReadAnswer{answer, scene}, ask);
   read.evidence = read_evidence(answer);
   return read;
+}
+
+std::string read_answer_id(std::string_view text) {
+  try {
+    return id_of(parse_json(text, {}));
+  } catch (const BadInput&) {
+    return "null";
+  }
 }
 
 }  // namespace groundtruth

@@ -14,10 +14,15 @@ constexpr Vector level{0, 0, -1};
 const Vector tilted{0.1, -0.2, -0.9};
 
 void expect_stages(const ClipAsk& ask, Stage decisions, Stage force) {
-  const DecidedClip got = decide_clip(ask);
+  const DecidedClip got = decide_clip(ask, Kernels::portable);
   EXPECT_EQ(got.decisions, decisions);
   EXPECT_EQ(got.force, force);
   EXPECT_EQ(got.answer, exact_stage::clip(ask));
+  if (best_kernels() == Kernels::portable) return;
+  const DecidedClip fused = decide_clip(ask, Kernels::fused);
+  EXPECT_EQ(fused.decisions, decisions);
+  EXPECT_EQ(fused.force, force == Stage::extended ? Stage::double_pair : force);
+  EXPECT_EQ(fused.answer, got.answer);
 }
 
 TEST(FastClipStages, DoublesDecideWhatIsClear) {
@@ -52,7 +57,7 @@ TEST(FastClipStages, ForcesBetweenDoublesAreRoundedInPairsOrExactly) {
                       {0.3 * uniform(random), 0.3 * uniform(random), -1},
                       0.5,
                       std::abs(uniform(random))};
-    const DecidedClip got = decide_clip(ask);
+    const DecidedClip got = decide_clip(ask, Kernels::portable);
     ASSERT_EQ(got.decisions, Stage::doubles);
     ASSERT_NE(got.force, Stage::exact);
     pairs += got.force == Stage::double_pair;
@@ -89,8 +94,9 @@ TEST(FastClipStages, AgreeOverTheWholeRangeOfDoubles) {
                       {near_normal(any()), near_normal(any()), -std::abs(near_normal(any()))},
                       random() % 2 ? 0.5 : std::abs(any()),
                       std::abs(finite(near(any())))};
-    const DecidedClip got = decide_clip(ask);
+    const DecidedClip got = decide_clip(ask, Kernels::portable);
     ASSERT_EQ(got.answer, exact_stage::clip(ask)) << i;
+    ASSERT_EQ(got.answer, decide_clip(ask).answer) << i;
     const auto* clipped = std::get_if<Clipped>(&got.answer);
     slips += clipped && clipped->grip == Grip::slip;
   }

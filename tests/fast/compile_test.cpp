@@ -71,8 +71,8 @@ TEST(FastCompile, PutsRegionsApartFromTheSolid) {
   EXPECT_EQ(text(scene.regions()[0].nodes.data()), "U(C[0,1)C[1,2))");
   EXPECT_EQ(scene.regions()[0].leaves[1].offset, 8);
   EXPECT_EQ(scene.solid().leaves.size(), 2u);
-  EXPECT_TRUE(scene.rule_of_leaf()[0]);
-  EXPECT_FALSE(scene.rule_of_leaf()[1]);
+  EXPECT_TRUE(scene.rule_of(0));
+  EXPECT_FALSE(scene.rule_of(1));
 }
 
 }  // namespace

@@ -27,10 +27,12 @@ StepAnswer exactly(const fast::Scene& scene, const StepAsk& ask) {
 }
 
 void expect_stages(const fast::Scene& scene, const StepAsk& ask, Stage decisions, Stage numbers) {
-  const DecidedStep got = decide_step(scene, ask);
-  EXPECT_EQ(got.decisions, decisions);
-  EXPECT_EQ(got.numbers, numbers);
-  EXPECT_EQ(got.answer, exactly(scene, ask));
+  for (const Kernels kernels : {Kernels::portable, best_kernels()}) {
+    const DecidedStep got = decide_step(scene, ask, kernels);
+    EXPECT_EQ(got.decisions, decisions);
+    EXPECT_EQ(got.numbers, numbers);
+    EXPECT_EQ(got.answer, exactly(scene, ask));
+  }
 }
 
 // Half a metre above the ground, upside down, not quite level.
@@ -148,9 +150,10 @@ TEST(FastStepStages, AgreeWithTheExactOne) {
   std::size_t counts[5] = {};
   for (int i = 0; i < 6000; ++i) {
     const StepAsk ask = steps.ask();
-    const DecidedStep got = decide_step(scene, ask);
+    const DecidedStep got = decide_step(scene, ask, Kernels::portable);
     ++counts[static_cast<std::size_t>(got.decisions)];
     ASSERT_EQ(got.answer, exactly(scene, ask)) << i;
+    ASSERT_EQ(got.answer, decide_step(scene, ask).answer) << i;
   }
   EXPECT_GT(counts[static_cast<std::size_t>(Stage::doubles)], 3000u);
   EXPECT_GT(counts[static_cast<std::size_t>(Stage::exact)], 10u);

@@ -17,12 +17,15 @@ ALLOWED = {
     "fast": {"problem"},
     "oracle/definition": {"problem"},
     "oracle/cases": {"problem"},
-    "oracle/judge": {"problem"},
+    "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"rig", "campaign", "implementations", "judge", "problem"},
+    "oracle/validation": {"problem", "text", "judge", "cases", "implementations"},
+    "oracle/report": {"rig", "validation", "campaign", "cases", "implementations", "judge", "problem", "text"},
     "oracle/rig": {"problem", "implementations", "text"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report", "rig"},
+    "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report",
+                   "rig"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -32,10 +35,11 @@ TOP_LEVEL = {
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast", "oracle/rig"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
-    "rapidjson/": {"reference/text", "oracle/report"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
+    # In oracle/implementations for its template only.
+    "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/report"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation"},
 }
 
 

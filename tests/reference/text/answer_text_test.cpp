@@ -69,5 +69,28 @@ TEST(AnswerText, RefusesWhatIsNoAnswer) {
   }
 }
 
+TEST(AnswerText, ReadsTheHelloItWrote) {
+  const HelloAnswer hello = read_hello(write_hello("mine"), {"test"});
+  EXPECT_EQ(hello.version, "answers/1");
+  EXPECT_EQ(hello.name, "mine");
+  EXPECT_EQ(hello.asks, (std::vector<std::string>{"entry", "clip", "step"}));
+}
+
+TEST(AnswerText, ReadsHelloWithWhatItDoesNotSayLeftOut) {
+  const HelloAnswer hello = read_hello(R"({"hello":"answers/2","name":7,"more":[]})", {"test"});
+  EXPECT_EQ(hello.version, "answers/2");
+  EXPECT_EQ(hello.name, "");
+  EXPECT_FALSE(hello.asks.has_value());
+  EXPECT_THROW(read_hello(R"({"name":"mine"})", {"test"}), BadInput);
+  EXPECT_THROW(read_hello("hello", {"test"}), BadInput);
+}
+
+TEST(AnswerText, ReadsTheIdOfAnyLine) {
+  EXPECT_EQ(read_id(R"({"id":"a1","nonsense":{}})"), "\"a1\"");
+  EXPECT_EQ(read_id(R"({"id":7})"), "7");
+  EXPECT_EQ(read_id(R"({"id":[]})"), "null");
+  EXPECT_EQ(read_id("{\"id\":"), "null");
+}
+
 }  // namespace
 }  // namespace groundtruth

@@ -1,0 +1,22 @@
+#pragma once
+// Which of a kernel's variants runs on this machine. Not installed.
+
+namespace groundtruth::fast {
+
+// With all that it calls inlined.
+#define GROUNDTRUTH_FLAT __attribute__((flatten))
+
+// The same bits; `fused` needs a processor with FMA.
+enum class Kernels { portable, fused };
+
+#if defined(__x86_64__) || defined(__i386__)
+// Such a function, with all that it calls inlined, may use FMA instructions; what is not inlined stays
+// portable.
+#define GROUNDTRUTH_FUSED __attribute__((target("fma"), flatten))
+inline Kernels best_kernels() { return __builtin_cpu_supports("fma") ? Kernels::fused : Kernels::portable; }
+#else
+#define GROUNDTRUTH_FUSED
+inline Kernels best_kernels() { return Kernels::portable; }
+#endif
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,49 @@
+#pragma once
+// The same lanes (lanes.hpp) in vectors of the 32 bytes that AVX2 has: for files compiled for it. Not
+// installed.
+
+#include <immintrin.h>
+
+#include <groundtruth/fast/lanes.hpp>
+
+namespace groundtruth::fast {
+
+using V4d = double __attribute__((vector_size(32)));
+using V4l = std::int64_t __attribute__((vector_size(32)));
+using V8f = float __attribute__((vector_size(32)));
+using V8i = std::int32_t __attribute__((vector_size(32)));
+
+struct FourDoubles {
+  using Number = double;
+  using Vector = V4d;
+  using Mask = V4l;
+  static constexpr int width = 4;
+  static Vector greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
+  static Vector lesser(Vector a, Vector b) { return _mm256_min_pd(a, b); }
+  static Vector choose(Mask where, Vector a, Vector b) {
+    return _mm256_blendv_pd(b, a, reinterpret_cast<Vector>(where));
+  }
+  static unsigned bits(Mask mask) {
+    return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Vector>(mask)));
+  }
+};
+
+struct EightFloats {
+  using Number = float;
+  using Vector = V8f;
+  using Mask = V8i;
+  static constexpr int width = 8;
+  static Vector greater(Vector a, Vector b) { return _mm256_max_ps(a, b); }
+  static Vector lesser(Vector a, Vector b) { return _mm256_min_ps(a, b); }
+  static Vector choose(Mask where, Vector a, Vector b) {
+    return _mm256_blendv_ps(b, a, reinterpret_cast<Vector>(where));
+  }
+  static unsigned bits(Mask mask) {
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<Vector>(mask)));
+  }
+};
+
+using WideLanes = OneVector<FourDoubles>;
+using WideFloatLanes = OneVector<EightFloats>;
+
+}  // namespace groundtruth::fast

@@ -1,0 +1,137 @@
+// Expressions and their materials (SPEC sections 2 and 3).
+
+#include "corpus_parts.hpp"
+
+namespace groundtruth::cases {
+namespace {
+
+const EntryAsk down{{0, 0, 1}, {0, 0, -1}};
+
+Shape nested(unsigned depth) {
+  Shape shape = half_space(0, 0, 1, 0);
+  for (unsigned i = 0; i < depth; ++i) {
+    const double side = 1 + i;
+    shape = i % 2 == 0 ? intersection_of({half_space(0, 0, 1, side), std::move(shape)})
+                       : union_of({half_space(0, 0, 1, -side), std::move(shape)});
+  }
+  return shape;
+}
+
+std::vector<Case> expressions() {
+  const Shape gap = intersection_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -1)});
+  const Shape steps = intersection_of({union_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -2)}),
+                                       union_of({half_space(1, 0, 0, -1), half_space(-1, 0, 0, -3)})});
+  return {
+      {"expression/x-below-0-and-above-1",
+       ground(gap),
+       EntryAsk{{-1, 0, 0}, {2, 0, 0}},
+       {"expression", "single-pass-intersection"},
+       "Two half-spaces that do not meet: one pass finds a hit."},
+      {"expression/unions-restart-each-other",
+       ground(steps),
+       EntryAsk{{-0.5, 0, 0}, {5, 0, 0}},
+       {"expression"},
+       "Each union sends the other on: an intersection of them needs more than one round."},
+      {"expression/order-of-planes",
+       ground(intersection_of({half_space(1, 0, 1, 1), half_space(0, 0, 1, 0)})),
+       EntryAsk{{0, 0, 3}, {0, 0, -1}},
+       {"expression"},
+       "The later plane decides, whatever the order."},
+      {"expression/nothing", {ground_materials(), {Nothing{}}}, down, {"empty"}, "Nothing is never hit."},
+      {"expression/everything",
+       {ground_materials(), {Everything{}}},
+       down,
+       {"empty", "inside"},
+       "Everything has no border."},
+      {"expression/empty-union", ground(union_of({})), down, {"empty"}, "The empty union is nothing."},
+      {"expression/empty-intersection",
+       ground(intersection_of({})),
+       down,
+       {"empty", "inside"},
+       "The empty intersection is everything."},
+      {"expression/zero-normal-everything",
+       ground(half_space(0, 0, 0, 0)),
+       down,
+       {"empty", "inside"},
+       "A half-space without a normal and d = 0 is everything: inside, never a border on it."},
+      {"expression/zero-normal-nothing",
+       ground(half_space(0, 0, 0, -0x1p-1074)),
+       down,
+       {"empty"},
+       "A half-space without a normal and d < 0 is nothing."},
+      {"expression/zero-normal-beside-a-face",
+       ground(intersection_of({half_space(0, 0, 0, 0), half_space(0, 0, 1, 0)})),
+       down,
+       {"expression"},
+       "The leaf without a normal counts in the numbering, but is no face."},
+      {"expression/swallowed-leaf",
+       ground(union_of(
+           {intersection_of({half_space(0, 0, 1, 0), half_space(1, 0, 0, -5)}), half_space(0, 0, 1, 0)})),
+       down,
+       {"expression"},
+       "The first leaf has the plane that is hit, but does not stand there: x <= -5 fails."},
+      {"expression/nested-6-deep",
+       ground(nested(6)),
+       EntryAsk{{0, 0, 16}, {0, 0, -16}},
+       {"expression"},
+       "Unions and intersections in turns; the innermost plane decides."},
+      {"expression/duplicate-operands",
+       ground(intersection_of({half_space(0, 0, 1, 0), half_space(0, 0, 1, 0)})),
+       down,
+       {"expression", "seam"},
+       "One plane twice: either leaf may be named."},
+  };
+}
+
+std::vector<Case> paints() {
+  const Shape floor = half_space(0, 0, 1, 0);
+  const Shape right = half_space(-1, 0, 0, 0);  // x >= 0
+  return {
+      {"paint/on-the-rim",
+       {ground_materials(), painted(icy, right, covered(dry, floor))},
+       down,
+       {"paint"},
+       "On the very border of a region of paint: the region is closed."},
+      {"paint/one-ulp-beside",
+       {ground_materials(), painted(icy, right, covered(dry, floor))},
+       EntryAsk{{-0x1p-1074, 0, 1}, {-0x1p-1074, 0, -1}},
+       {"paint", "one-ulp"},
+       "Beside the paint by the least double."},
+      {"paint/outermost-wins",
+       {ground_materials(), painted(wet, right, painted(icy, right, covered(dry, floor)))},
+       down,
+       {"paint"},
+       "Of two paints the outer one counts."},
+      {"paint/cover-over-paint",
+       {ground_materials(), covered(dirty, painted(icy, right, floor))},
+       down,
+       {"paint"},
+       "A cover outside hides the paint beneath."},
+      {"paint/no-material",
+       {ground_materials(), painted(icy, half_space(-1, 0, 0, -1), floor)},
+       down,
+       {"paint"},
+       "Outside the paint and without a cover: the material is none."},
+      {"paint/leaves-of-the-region",
+       {ground_materials(), painted(icy, right, union_of({covered(dry, floor), right}))},
+       EntryAsk{{-1, 0, 1}, {1, 0, 1}},
+       {"paint"},
+       "Half-spaces of a region are no leaves and do not shift the numbers."},
+      {"paint/seam-of-two-materials",
+       {ground_materials(),
+        union_of({covered(dry, box({-1, -1, -1}, {0, 1, 0})), covered(icy, box({0, -1, -1}, {1, 1, 0}))})},
+       down,
+       {"paint", "seam"},
+       "Two materials meet where the segment hits: each with its own leaf."},
+  };
+}
+
+}  // namespace
+
+std::vector<Case> corpus_of_expressions() {
+  std::vector<Case> all = expressions();
+  for (Case& one : paints()) all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace groundtruth::cases
