@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
       groundtruth::cli::add_judge(program),
       groundtruth::cli::add_merge(program),
       groundtruth::cli::add_scene(program),
+      groundtruth::cli::add_simulate(program),
       groundtruth::cli::add_validate(program),
       groundtruth::cli::add_vectors(program),
   };

@@ -29,6 +29,7 @@ Subcommand add_check(CLI::App& program);
 Subcommand add_judge(CLI::App& program);
 Subcommand add_merge(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
+Subcommand add_simulate(CLI::App& program);
 Subcommand add_validate(CLI::App& program);
 Subcommand add_vectors(CLI::App& program);
 

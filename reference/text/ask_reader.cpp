@@ -3,6 +3,7 @@
 #include <groundtruth/text/json_writer.hpp>
 #include <groundtruth/text/scene_reader.hpp>
 #include <groundtruth/text/shared_readers.hpp>
+#include <groundtruth/text/wheel_text.hpp>
 
 namespace groundtruth {
 namespace {
@@ -39,40 +40,11 @@ ClipAsk read_clip(const Field& field) {
   return ask;
 }
 
-Relocation read_relocation(const Field& field) {
-  if (field.text() == "spring") return Relocation::spring;
-  if (field.text() == "return-mapping") return Relocation::return_mapping;
-  field.refuse_value("is neither \"spring\" nor \"return-mapping\"");
-}
-
-Wheel read_wheel(const Field& field) {
-  field.only(
-      {"k_xy", "k_z", "d_xy", "d_z", "z_min", "z_zero", "z_max", "tyre", "min_uprightness", "relocation"});
-  Wheel wheel;
-  wheel.k_xy = field["k_xy"].negative();
-  wheel.k_z = field["k_z"].negative();
-  wheel.d_xy = field["d_xy"].at_most_zero();
-  wheel.d_z = field["d_z"].at_most_zero();
-  wheel.z_min = field["z_min"].number();
-  wheel.z_zero = field["z_zero"].number();
-  wheel.z_max = field["z_max"].number();
-  if (!(wheel.z_min < wheel.z_zero)) field["z_min"].refuse_value("is not below z_zero");
-  if (!(wheel.z_zero <= wheel.z_max)) field["z_zero"].refuse_value("is above z_max");
-  wheel.tyre = field["tyre"].text();
-  if (const auto uprightness = field.find("min_uprightness")) wheel.min_uprightness = uprightness->positive();
-  if (const auto relocation = field.find("relocation")) wheel.relocation = read_relocation(*relocation);
-  return wheel;
-}
-
 Frame read_frame(const Field& field) {
   field.only({"position", "orientation", "velocity", "angular_velocity"});
   Frame frame;
   frame.position_in_world = field["position"].vector();
-  const Field orientation = field["orientation"];
-  orientation.require_size(4);
-  for (std::size_t i = 0; i < 4; ++i) frame.world_from_wheel[i] = orientation[i].number();
-  if (frame.world_from_wheel == Quaternion{0, 0, 0, 0})
-    orientation.refuse("[0, 0, 0, 0] is the zero quaternion");
+  frame.world_from_wheel = read_orientation(field["orientation"]);
   frame.velocity_in_world = field["velocity"].vector();
   if (const auto angular = field.find("angular_velocity"))
     frame.angular_velocity_in_world = angular->vector();

@@ -2,6 +2,7 @@
 #include <groundtruth/text/json_writer.hpp>
 #include <groundtruth/text/scene_text.hpp>
 #include <groundtruth/text/state_writer.hpp>
+#include <groundtruth/text/wheel_text.hpp>
 
 namespace groundtruth {
 namespace {
@@ -18,21 +19,6 @@ void write_members(JsonWriter& writer, const ClipAsk& ask) {
   writer.member("friction", ask.friction);
   writer.member("brake", ask.brake);
   writer.member("min_uprightness", ask.min_uprightness);
-}
-
-void write_wheel(JsonWriter& writer, const Wheel& wheel) {
-  writer.open_object();
-  writer.member("k_xy", wheel.k_xy);
-  writer.member("k_z", wheel.k_z);
-  writer.member("d_xy", wheel.d_xy);
-  writer.member("d_z", wheel.d_z);
-  writer.member("z_min", wheel.z_min);
-  writer.member("z_zero", wheel.z_zero);
-  writer.member("z_max", wheel.z_max);
-  writer.member("tyre", wheel.tyre);
-  writer.member("min_uprightness", wheel.min_uprightness);
-  if (wheel.relocation == Relocation::return_mapping) writer.member("relocation", "return-mapping");
-  writer.close_object();
 }
 
 void write_frame(JsonWriter& writer, const Frame& frame) {

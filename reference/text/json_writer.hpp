@@ -1,5 +1,5 @@
 #pragma once
-// JSON text with doubles as SPEC section 8 wants them. Private to this folder.
+// JSON text with doubles as SPEC section 8 wants them. Not installed.
 
 #include <optional>
 #include <string>

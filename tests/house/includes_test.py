@@ -21,9 +21,12 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/validation": {"diagnosis", "problem", "text", "judge", "cases", "implementations"},
-    "oracle/report": {"validation", "campaign", "cases", "implementations", "judge", "problem", "text", "diagnosis"},
+    "oracle/report": {"rig", "validation", "campaign", "cases", "diagnosis", "implementations", "judge", "problem",
+                      "text"},
+    "oracle/rig": {"problem", "implementations", "text"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report",
+                   "rig"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -32,7 +35,7 @@ TOP_LEVEL = {
 # Libraries by the start of the include, and the folders that may use them.
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
-    "Eigen/": {"fast"},
+    "Eigen/": {"fast", "oracle/rig"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
     # In oracle/implementations for its template only.
     "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},

@@ -22,8 +22,8 @@ def names_of(planted):
 
 def validate(options, name, seed):
     """One run: its exit code, and the ask number and seconds of the first wrong verdict, if there is one."""
-    command = [options.groundtruth, "validate", "--seed", str(seed), "--cases", str(options.cases), "--json", "-",
-               "--", options.planted, name]
+    command = [options.groundtruth, "validate", "--failures", "1", "--shrink", "0", "--seed", str(seed),
+               "--cases", str(options.cases), "--json", "-", "--", options.planted, name]
     started = time.monotonic()
     first = None
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as run:
