@@ -17,6 +17,13 @@ Shape nested(unsigned depth) {
   return shape;
 }
 
+// Slabs a metre thick along x.
+Shape comb(const std::vector<double>& starts) {
+  std::vector<Shape> teeth;
+  for (const double start : starts) teeth.push_back(box({start, -1, -1}, {start + 1, 1, 1}));
+  return union_of(std::move(teeth));
+}
+
 std::vector<Case> expressions() {
   const Shape gap = intersection_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -1)});
   const Shape steps = intersection_of({union_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -2)}),
@@ -32,6 +39,11 @@ std::vector<Case> expressions() {
        EntryAsk{{-0.5, 0, 0}, {5, 0, 0}},
        {"expression"},
        "Each union sends the other on: an intersection of them needs more than one round."},
+      {"expression/unions-restart-each-other-often",
+       ground(intersection_of({comb({0, 4, 8}), comb({2, 6, 8.5})})),
+       EntryAsk{{-1, 0, 0}, {15, 0, 0}},
+       {"expression"},
+       "Gaps of one union lie where the other is: five rounds until both hold, from 8.5 to 9."},
       {"expression/order-of-planes",
        ground(intersection_of({half_space(1, 0, 1, 1), half_space(0, 0, 1, 0)})),
        EntryAsk{{0, 0, 3}, {0, 0, -1}},

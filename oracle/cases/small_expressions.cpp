@@ -72,6 +72,26 @@ Shape repeated_shape(Random& random) {
   return random.one_in(4) ? intersection_of(std::move(parts)) : union_of(std::move(parts));
 }
 
+Shape interleaved_unions(Random& random) {
+  const std::size_t axis = random.below(3);
+  std::vector<Shape> combs;
+  for (int comb = 0; comb < 2; ++comb) {
+    std::vector<Shape> teeth;
+    double at = random.dyadic(-4, -1, 1);
+    const std::uint64_t count = 3 + random.below(3);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      Vector low{-2, -2, -2}, high{2, 2, 2};
+      low[axis] = at;
+      at += random.dyadic(0, 2, 1);
+      high[axis] = at;
+      at += random.dyadic(0, 2, 1) + 0.5;
+      teeth.push_back(of_some_material(box(low, high), random));
+    }
+    combs.push_back(union_of(std::move(teeth)));
+  }
+  return intersection_of(std::move(combs));
+}
+
 Shape odd_operands(Random& random) {
   std::vector<Shape> parts{of_some_material(lattice_box(random), random)};
   const std::uint64_t count = 1 + random.below(3);

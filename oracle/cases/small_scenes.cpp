@@ -13,10 +13,23 @@
 namespace groundtruth::cases {
 namespace {
 
-constexpr std::array makers{
-    seam_row,       slab_stack,   tiled_corner,       ground_with_things, wedge,           parallel_planes,
-    spike,          thin_sheets,  oblique_cell,       nested_expression,  wide_expression, notched_box,
-    repeated_shape, odd_operands, ground_with_things, nested_expression};
+constexpr std::array makers{seam_row,
+                            slab_stack,
+                            tiled_corner,
+                            ground_with_things,
+                            wedge,
+                            parallel_planes,
+                            spike,
+                            thin_sheets,
+                            oblique_cell,
+                            nested_expression,
+                            wide_expression,
+                            notched_box,
+                            repeated_shape,
+                            odd_operands,
+                            ground_with_things,
+                            nested_expression,
+                            interleaved_unions};
 
 Shape wrapped(Shape shape, Random& random) {
   const std::uint64_t depth = 1 + random.below(5);
@@ -40,8 +53,30 @@ Shape rescaled(const Shape& shape, Random& random) {
   });
 }
 
+// The same tree without materials and paint: half-spaces stand bare beside each other.
+Shape bare(const Shape& shape) {
+  const auto each = [](auto op) {
+    for (Shape& operand : op.operands) operand = bare(operand);
+    return Shape{std::move(op)};
+  };
+  if (const auto* op = std::get_if<Union>(&shape.expression)) return each(*op);
+  if (const auto* op = std::get_if<Intersection>(&shape.expression)) return each(*op);
+  if (const auto* cover = std::get_if<Covered>(&shape.expression)) return bare(*cover->over);
+  if (const auto* paint = std::get_if<Painted>(&shape.expression)) return bare(*paint->over);
+  return shape;
+}
+
+// Planes where people put them: at tenths, which neither doubles nor floats have.
+Shape in_tenths(const Shape& shape) {
+  return with_each_plane(shape, [](const HalfSpace& plane) {
+    return HalfSpace{plane.normal, plane.offset * 0.7};
+  });
+}
+
 // What a user might do to any shape.
 Shape dressed(Shape shape, Random& random) {
+  if (random.one_in(4)) shape = bare(shape);
+  if (random.one_in(6)) shape = in_tenths(shape);
   if (random.one_in(6)) {
     Shape where = random.one_in(2) ? lattice_box(random) : lattice_plane(random);
     shape = painted(random.below(5), std::move(where), std::move(shape));

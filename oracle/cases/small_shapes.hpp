@@ -30,10 +30,11 @@ Shape thin_sheets(Random& random);      // sheets, needles and points
 Shape oblique_cell(Random& random);     // an intersection of planes of arbitrary doubles
 
 // Expressions.
-Shape nested_expression(Random& random);  // up to six levels
-Shape wide_expression(Random& random);    // more than eight operands
-Shape notched_box(Random& random);        // a box met with unions, so that it is not convex
-Shape repeated_shape(Random& random);     // the same thing more than once, in other materials
-Shape odd_operands(Random& random);       // zero normals, constants, empty unions and intersections
+Shape nested_expression(Random& random);   // up to six levels
+Shape wide_expression(Random& random);     // more than eight operands
+Shape notched_box(Random& random);         // a box met with unions, so that it is not convex
+Shape repeated_shape(Random& random);      // the same thing more than once, in other materials
+Shape interleaved_unions(Random& random);  // each sends a segment on to the other's next gap
+Shape odd_operands(Random& random);        // zero normals, constants, empty unions and intersections
 
 }  // namespace groundtruth::cases
