@@ -13,9 +13,9 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_help_all_flag("--help-all", "Help for every subcommand");
   program.failure_message(CLI::FailureMessage::help);
-  const Subcommand subcommands[] = {groundtruth::cli::add_answer(program),
-                                    groundtruth::cli::add_check(program),
-                                    groundtruth::cli::add_scene(program)};
+  const Subcommand subcommands[] = {
+      groundtruth::cli::add_answer(program), groundtruth::cli::add_check(program),
+      groundtruth::cli::add_scene(program), groundtruth::cli::add_stability(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

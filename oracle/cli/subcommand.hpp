@@ -19,5 +19,6 @@ struct Subcommand {
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
+Subcommand add_stability(CLI::App& program);
 
 }  // namespace groundtruth::cli

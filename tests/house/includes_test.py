@@ -20,9 +20,10 @@ ALLOWED = {
     "oracle/judge": {"problem"},
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
-    "oracle/report": {"campaign", "implementations", "judge", "problem"},
+    "oracle/stability": {"problem", "rig"},
+    "oracle/report": {"campaign", "rig", "stability", "implementations", "judge", "problem"},
     "oracle/rig": {"problem", "implementations", "text"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "report"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "rig", "report", "stability"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -31,7 +32,7 @@ TOP_LEVEL = {
 # Libraries by the start of the include, and the folders that may use them.
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
-    "Eigen/": {"fast", "oracle/rig"},
+    "Eigen/": {"fast", "oracle/rig", "oracle/stability"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "fast"},
     "rapidjson/": {"reference/text", "oracle/report"},
     "CLI/": {"oracle/cli"},
