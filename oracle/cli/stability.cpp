@@ -35,8 +35,8 @@ std::vector<double> powers_of_ten(double first, double last, int per_decade) {
 }
 
 stability::Grid grid_of(const Options& options) {
-  if (options.extent == Extent::quick) return {powers_of_ten(-2, 5, 2), {0, 0.3, 1, 2}, options.slope, 1500};
-  return {powers_of_ten(-2, 5, 8), {0, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2}, options.slope, 6000};
+  if (options.extent == Extent::quick) return {powers_of_ten(-2, 5, 2), {0, 0.3, 1}, options.slope, 400};
+  return {powers_of_ten(-2, 5, 4), {0, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2}, options.slope, 3000};
 }
 
 void write(const std::string& path, const std::string& text) {
@@ -48,8 +48,8 @@ void write(const std::string& path, const std::string& text) {
 
 std::vector<stability::Ordeal> ordeals_for(const Options& options, ProgressBar& bar) {
   std::vector<stability::Extreme> extremes = stability::chosen_extremes();
-  const std::uint64_t random = options.extent == Extent::quick ? 200 : 5000;
-  const std::uint64_t steps = options.extent == Extent::quick ? 200 : 1000;
+  const std::uint64_t random = options.extent == Extent::quick ? 100 : 3000;
+  const std::uint64_t steps = options.extent == Extent::quick ? 100 : 1000;
   for (std::uint64_t i = 0; i < random; ++i) extremes.push_back(stability::random_extreme(options.seed + i));
   std::vector<stability::Ordeal> ordeals(extremes.size());
   stability::share_out(
