@@ -32,7 +32,7 @@ class Watch {
   bool blew_up() const { return !(highest_ < blown_up_rise * weight_); }
   bool leaves_the_ground() const { return leaves_; }
   bool is_calm() const {
-    return fastest_in_last_quarter_ < 1e-9 || fastest_in_last_quarter_ < 0.99 * fastest_in_third_quarter_;
+    return fastest_in_last_quarter_ < 1e-5 || fastest_in_last_quarter_ < 0.99 * fastest_in_third_quarter_;
   }
 
  private:

@@ -12,7 +12,7 @@ namespace groundtruth::stability {
 
 // Judged by the second half of the time.
 enum class Fate {
-  settled,       // pebbles unmoved to the last bit, the body's motion gone or going
+  settled,       // pebbles unmoved to the last bit, the body slower than 1e-5 m/s or getting slower
   swinging,      // pebbles unmoved, the body's motion as large as before
   creeping,      // pebbles move, none leaves the ground
   chattering,    // pebbles leave the ground

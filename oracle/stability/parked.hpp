@@ -20,8 +20,8 @@ struct Parked {
 };
 
 // The frequency is 20 rad/s while that makes steps of 1/60 s or less; then the steps are of 1/60 s and the
-// frequency rises. The machine starts at rest with its struts as compressed as its weight will hold them,
-// its springs slack along the ground.
+// frequency rises. The machine comes to rest in its first step, with its struts as compressed as its
+// weight will hold them and its springs slack along the ground; three wheels bear a third each.
 rig::Scenario scenario_of(const Parked& parked, std::uint64_t steps);
 
 // The h omega up to which explicit integrators are stable: 2 (sqrt(1 + z^2) - z) for the machine's fastest
