@@ -15,7 +15,8 @@ int run(int argc, char** argv) {
   program.failure_message(CLI::FailureMessage::help);
   const Subcommand subcommands[] = {
       groundtruth::cli::add_answer(program), groundtruth::cli::add_check(program),
-      groundtruth::cli::add_scene(program), groundtruth::cli::add_stability(program)};
+      groundtruth::cli::add_scene(program), groundtruth::cli::add_simulate(program),
+      groundtruth::cli::add_stability(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

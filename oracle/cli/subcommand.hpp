@@ -19,6 +19,7 @@ struct Subcommand {
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
+Subcommand add_simulate(CLI::App& program);
 Subcommand add_stability(CLI::App& program);
 
 }  // namespace groundtruth::cli

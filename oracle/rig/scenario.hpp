@@ -36,7 +36,8 @@ struct Scenario {
   std::string name;
   std::string description;  // one line
   Machine machine;
-  BodyState start;  // with all wheels free
+  BodyState start;
+  std::vector<WheelState> start_wheels;  // none: all are free
   Scene scene;
   Inputs inputs;
   Integrator integrator = Integrator::semi_implicit;

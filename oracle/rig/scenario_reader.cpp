@@ -8,6 +8,7 @@
 #include <groundtruth/text/field.hpp>
 #include <groundtruth/text/scene_reader.hpp>
 #include <groundtruth/text/scene_text.hpp>
+#include <groundtruth/text/shared_readers.hpp>
 #include <groundtruth/text/wheel_text.hpp>
 
 namespace groundtruth::rig {
@@ -45,7 +46,7 @@ Machine read_machine(const Field& field) {
 }
 
 BodyState read_start(const Field& field) {
-  field.only({"position", "orientation", "velocity", "angular_velocity"});
+  field.only({"position", "orientation", "velocity", "angular_velocity", "wheels"});
   BodyState body;
   body.position_in_world = read_vector(field["position"]);
   const Quaternion q = read_orientation(field["orientation"]);
@@ -54,6 +55,13 @@ BodyState read_start(const Field& field) {
   if (const auto turning = field.find("angular_velocity"))
     body.angular_velocity_in_world = read_vector(*turning);
   return body;
+}
+
+std::vector<WheelState> read_states(const Field& field, std::size_t wheels) {
+  field.require_size(wheels);
+  std::vector<WheelState> states;
+  for (std::size_t i = 0; i < wheels; ++i) states.push_back(read_state(field[i]));
+  return states;
 }
 
 std::vector<std::pair<double, double>> read_points(const Field& field) {
@@ -133,7 +141,10 @@ Scenario read_scenario(std::string_view text, const Origin& origin, const std::f
   scenario.name = text_or(field.find("name"), std::filesystem::path(origin.place).stem().string());
   scenario.description = text_or(field.find("description"), "");
   scenario.machine = read_machine(field["machine"]);
-  scenario.start = read_start(field["start"]);
+  const Field start = field["start"];
+  scenario.start = read_start(start);
+  if (const auto wheels = start.find("wheels"))
+    scenario.start_wheels = read_states(*wheels, scenario.machine.wheels.size());
   scenario.scene = read_scene_or_file(field["scene"], folder);
   scenario.inputs = read_inputs(field.find("inputs"));
   if (const auto integrator = field.find("integrator")) scenario.integrator = read_integrator(*integrator);

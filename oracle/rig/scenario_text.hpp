@@ -5,15 +5,16 @@
 //    "machine": {"mass": 1200, "inertia": [1000, 1500, 2000] or null (does not turn),
 //                "wheels": [{"wheel": {as in asks}, "place": [1.6, 0, 0.3], "brake_share": 1,
 //                "steering_share": 0}]},
-//    "start": {"position": [...], "orientation": [...], "velocity": [...], "angular_velocity": [...]},
+//    "start": {"position": [...], "orientation": [...], "velocity": [...], "angular_velocity": [...],
+//              "wheels": [{"kind": "free"} or as in asks, one a wheel]},
 //    "scene": {as in scene files} or "file.json",
 //    "inputs": {"brake": input, "steering": input, "thrust": [input, input, input], "push": [...], "gravity":
 //    [...]}, "integrator": "semi-implicit" | "half-kick" | "implicit", "h": 0.004, "duration": 10}
 //
 // An input is a number, or [[time, value], ...], or {"points": number or [[time, value], ...], "amplitude":
 // a, "frequency": f}; times do not fall, and two points of one time are a jump. May be absent: name (that of
-// the file), description, shares (as shown), velocities (0), inputs (0; gravity: [0, 0, -9.81]), integrator
-// (as first shown).
+// the file), description, shares (as shown), velocities (0), states of wheels (free), inputs (0; gravity: [0,
+// 0, -9.81]), integrator (as first shown).
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,7 @@
 #include <groundtruth/rig/scenario_text.hpp>
 #include <groundtruth/text/json_writer.hpp>
 #include <groundtruth/text/scene_text.hpp>
+#include <groundtruth/text/state_writer.hpp>
 #include <groundtruth/text/wheel_text.hpp>
 
 namespace groundtruth::rig {
@@ -30,13 +31,20 @@ void write_machine(JsonWriter& writer, const Machine& machine) {
   writer.close_object();
 }
 
-void write_start(JsonWriter& writer, const BodyState& body) {
+void write_start(JsonWriter& writer, const Scenario& scenario) {
+  const BodyState& body = scenario.start;
   const Eigen::Quaterniond& q = body.world_from_body;
   writer.open_object();
   writer.member("position", to_array(body.position_in_world));
   writer.member("orientation", Quaternion{q.w(), q.x(), q.y(), q.z()});
   writer.member("velocity", to_array(body.velocity_in_world));
   writer.member("angular_velocity", to_array(body.angular_velocity_in_world));
+  if (!scenario.start_wheels.empty()) {
+    writer.key("wheels");
+    writer.open_array();
+    for (const WheelState& wheel : scenario.start_wheels) write_state(writer, wheel);
+    writer.close_array();
+  }
   writer.close_object();
 }
 
@@ -86,7 +94,7 @@ std::string write_scenario(const Scenario& scenario) {
   writer.key("machine");
   write_machine(writer, scenario.machine);
   writer.key("start");
-  write_start(writer, scenario.start);
+  write_start(writer, scenario);
   writer.key("scene");
   writer.json(write_scene(scenario.scene));
   writer.key("inputs");

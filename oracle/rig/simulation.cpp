@@ -53,6 +53,12 @@ double work_of(const Controls& controls, const BodyState& before, const BodyStat
   return work + (rotation_of(before.world_from_body) * controls.thrust_in_body).dot(moved);
 }
 
+MotionState start_of(const Scenario& scenario) {
+  MotionState state{scenario.start, scenario.start_wheels, 0};
+  state.wheels.resize(scenario.machine.wheels.size(), Free{});
+  return state;
+}
+
 class Player {
  public:
   Player(const Scenario& scenario, const implementations::EngineOnScene& ground,
@@ -63,7 +69,7 @@ class Player {
         are_inputs_constant_(scenario.inputs.are_constant()),
         controls_(scenario.inputs.at(0)),
         steps_(static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h))),
-        state_{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0},
+        state_(start_of(scenario)),
         middle_(state_),
         energy_(energy_of(scenario.machine, state_, controls_)) {}
 
@@ -87,6 +93,7 @@ class Player {
     const StepRecord& record = motion_.advance(state_, controls_);
     if (record.halt != Halt::none) {
       summary_.outcome = record.halt;
+      summary_.halting_wheel = record.halting_wheel;
       summary_.reason = record.reason;
       return false;
     }

@@ -30,6 +30,7 @@ struct Summary {
   int most_newton_steps = 0;
   int most_convex_passes = 0;
   Halt outcome = Halt::none;
+  std::size_t halting_wheel = 0;
   std::string reason;  // of a refusal
   // If the state came back to the last bit under constant inputs: all further rounds are known, and were not
   // played. The step at which that was seen, and the length of a round.

@@ -1,5 +1,5 @@
 #pragma once
-// What stands in asks and in answers alike. Private to this folder.
+// What stands in asks, answers and scenarios alike. Not installed.
 
 #include <string>
 

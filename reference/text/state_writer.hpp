@@ -1,5 +1,5 @@
 #pragma once
-// The state of a wheel, which stands in asks and in answers alike. Private to this folder.
+// The state of a wheel, which stands in asks, answers and scenarios alike. Not installed.
 
 #include <groundtruth/problem/ask.hpp>
 #include <groundtruth/text/json_writer.hpp>
