@@ -45,7 +45,8 @@ double stop_distance(Integrator integrator, double h, double v0) {
 TEST(ClosedForms, ASlideAcceleratesByGTimesSineLessMuCosine) {
   const double slope = 0.7, cosine = 1 / std::hypot(1, slope);
   const double expected = gravity * cosine * (slope - mu_dynamic);
-  for (const Integrator integrator : {Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit}) {
+  for (const Integrator integrator :
+       {Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit}) {
     const Scenario scenario = on_slope(slope, integrator, 1.0 / 240);
     const auto states = run_of(scenario, "fast", 4000);
     const double gained = speed_along(states[3999], slope) - speed_along(states[2999], slope);
@@ -54,7 +55,8 @@ TEST(ClosedForms, ASlideAcceleratesByGTimesSineLessMuCosine) {
 }
 
 TEST(ClosedForms, RollingFreelyLosesNothingAlongX) {
-  for (const Integrator integrator : {Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit}) {
+  for (const Integrator integrator :
+       {Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit}) {
     Scenario scenario = on_slope(0, integrator, 1.0 / 240);
     scenario.start.velocity_in_world.x() = 30;
     scenario.inputs.brake = {};
@@ -93,7 +95,7 @@ TEST(ClosedForms, ASlowTiltSlipsAtTheStaticCoefficient) {
 TEST(ClosedForms, OnceItSlidesItIsHeldBelowTheDynamicCoefficientOnly) {
   Scenario scenario = on_slope(0, Integrator::semi_implicit, 1.0 / 240);
   const auto tilt = [](double tangent) { return -tangent * gravity; };
-  scenario.inputs.gravity_in_world[0].points = {{0, tilt(0.3)}, {2, tilt(0.45)}, {4, tilt(0.45)},
+  scenario.inputs.gravity_in_world[0].points = {{0, tilt(0.3)},  {2, tilt(0.45)},   {4, tilt(0.45)},
                                                 {5, tilt(0.55)}, {5.5, tilt(0.45)}, {8, tilt(0.45)},
                                                 {9, tilt(0.2)}};
   const auto states = run_of(scenario, "fast", 240 * 30);

@@ -37,8 +37,8 @@ class Pair : public implementations::EngineOnScene {
     ++lockstep_.differences;
     const Evidence none;
     const Answer left = got, right = expected;
-    lockstep_.worst_force_ulps = std::max(lockstep_.worst_force_ulps,
-                                          judge::compare({left, none}, {right, none}).vector_ulps);
+    lockstep_.worst_force_ulps =
+        std::max(lockstep_.worst_force_ulps, judge::compare({left, none}, {right, none}).vector_ulps);
     if (lockstep_.first_difference.empty())
       lockstep_.first_difference = write_scene_line(scene_) + "\n" + write_ask("\"differs\"", ask);
   }

@@ -9,11 +9,11 @@
 namespace groundtruth::rig {
 
 struct Lockstep {
-  std::uint64_t wheel_steps = 0;   // compared
-  std::uint64_t slip_steps = 0;    // of these, how many ended in slip
-  std::uint64_t differences = 0;   // in outcome, state, or a bit of a number
-  double worst_force_ulps = 0;     // in units of the last place of the force's largest component
-  std::string first_difference;    // the scene and the ask; empty if there is none
+  std::uint64_t wheel_steps = 0;  // compared
+  std::uint64_t slip_steps = 0;   // of these, how many ended in slip
+  std::uint64_t differences = 0;  // in outcome, state, or a bit of a number
+  double worst_force_ulps = 0;    // in units of the last place of the force's largest component
+  std::string first_difference;   // the scene and the ask; empty if there is none
 
   void add(const Lockstep& other);
 };

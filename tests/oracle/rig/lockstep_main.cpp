@@ -1,5 +1,5 @@
-// lockstep WHEEL_STEPS [SEED]: `exact` and `fast` in lockstep over random scenarios, until so many wheel steps
-// have been compared. Exit 1 on any difference.
+// lockstep WHEEL_STEPS [SEED]: `exact` and `fast` in lockstep over random scenarios, until so many wheel
+// steps have been compared. Exit 1 on any difference.
 
 #include <cstdlib>
 
