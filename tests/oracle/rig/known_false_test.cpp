@@ -9,6 +9,7 @@
 
 #include <groundtruth/rig/simulation.hpp>
 #include <groundtruth/stability/parked.hpp>
+#include <groundtruth/tests/oracle/rig/landings.hpp>
 #include <groundtruth/tests/oracle/rig/random_scenarios.hpp>
 
 namespace groundtruth::rig {
@@ -79,13 +80,18 @@ Scenario slide(Relocation relocation, double damping_ratio, Integrator integrato
   return scenario;
 }
 
+// Implicit steps on one wheel, which make none with return mapping.
 TEST(KnownFalse, TheSpringRelocationMakesNoEnergy) {
   const auto rise = [](Relocation relocation) {
-    Scenario scenario = slide(relocation, 0.3, Integrator::implicit);
-    scenario.start.position_in_world.z() = 1.15;
-    return play(scenario, "fast").energy_rise;
+    properties::Dice dice(1);
+    double most = 0;
+    for (int i = 0; i < 60; ++i)
+      most = std::max(
+          most, play(random_landing({Wheels::one, Integrator::implicit, relocation}, 0.33, dice), "fast")
+                    .energy_rise);
+    return most;
   };
-  EXPECT_GT(rise(Relocation::spring), 1e-3);
+  EXPECT_GT(rise(Relocation::spring), 0.05);
   EXPECT_LE(rise(Relocation::return_mapping), 1e-12);
 }
 
@@ -105,7 +111,7 @@ double stored(const Scenario& scenario) {
 
 // The contract's w_t is the pebble's own velocity, v in a steady slide: the spring then stores d v.
 TEST(KnownFalse, TheReturnMappingKeepsTheSpringsOfASlideShortWhateverTheDamping) {
-  EXPECT_NEAR(stored(slide(Relocation::return_mapping, 1, Integrator::semi_implicit)), 6.90, 0.01);
+  EXPECT_NEAR(stored(slide(Relocation::return_mapping, 1, Integrator::semi_implicit)), 6.887, 0.001);
   EXPECT_NEAR(stored(slide(Relocation::return_mapping, 0.1, Integrator::semi_implicit)), 0.322, 0.001);
   EXPECT_NEAR(stored(slide(Relocation::spring, 1, Integrator::semi_implicit)), 0.131, 0.001);
   EXPECT_LT(stored(slide(Relocation::return_mapping, 1, Integrator::implicit)), 8e-4);

@@ -48,6 +48,7 @@ RC_GTEST_PROP(Symmetry, SymmetricBrakingKeepsYRollAndYawAtZero, ()) {
       *rc::gen::element(Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit);
   parked.relocation = *rc::gen::element(Relocation::spring, Relocation::return_mapping);
   Scenario scenario = stability::scenario_of(parked, 1);
+  scenario.start.angular_velocity_in_world.setZero();
   scenario.start.velocity_in_world.x() = *rc::gen::inRange(0, 300) / 10.0;
   scenario.inputs.brake.points = {{0, *rc::gen::inRange(0, 8000) * 1.0}};
   for (const MotionState& state : run_of(scenario, "fast", 300)) {
