@@ -20,6 +20,7 @@ int run(int argc, char** argv) {
       groundtruth::cli::add_merge(program),
       groundtruth::cli::add_scene(program),
       groundtruth::cli::add_simulate(program),
+      groundtruth::cli::add_stability(program),
       groundtruth::cli::add_validate(program),
       groundtruth::cli::add_vectors(program),
   };

@@ -30,6 +30,7 @@ Subcommand add_judge(CLI::App& program);
 Subcommand add_merge(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
 Subcommand add_simulate(CLI::App& program);
+Subcommand add_stability(CLI::App& program);
 Subcommand add_validate(CLI::App& program);
 Subcommand add_vectors(CLI::App& program);
 

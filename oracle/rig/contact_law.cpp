@@ -82,7 +82,7 @@ double border_violation(const Eigen::Vector3d& force_in_wheel, const Eigen::Vect
   const Eigen::Vector3d force = surface_axes(normal_in_wheel).transpose() * force_in_wheel;
   const double load = -force.z();
   if (!(load > 0)) return 0;
-  const double beyond_disc = force.head<2>().norm() - border.friction * load;
+  const double beyond_disc = std::hypot(force.x(), force.y()) - border.friction * load;
   const double beyond_band = std::abs(force.x()) - border.brake;
   return std::max({0.0, beyond_disc, beyond_band}) / load;
 }

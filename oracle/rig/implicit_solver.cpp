@@ -115,7 +115,7 @@ class Solver {
       const Vector6 step = slope.llt().solve(-imbalance);
       const double part = exact_line_search(from, velocities, step);
       velocities += part * step;
-      if (step.norm() <= 0x1p-45 * velocities.norm()) break;
+      if (step.norm() <= 0x1p-50 * (velocities.norm() + problem_.free_velocities.norm())) break;
     }
     for (std::size_t i = 0; i < loads_.size(); ++i) loads_[i] = frozen_load(from, velocities, i);
     return point(velocities);

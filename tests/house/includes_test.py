@@ -21,12 +21,13 @@ ALLOWED = {
     "oracle/implementations": {"problem", "text"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/validation": {"diagnosis", "problem", "text", "judge", "cases", "implementations"},
-    "oracle/report": {"rig", "validation", "campaign", "cases", "diagnosis", "implementations", "judge", "problem",
-                      "text"},
+    "oracle/report": {"rig", "stability", "validation", "campaign", "cases", "diagnosis", "implementations", "judge",
+                      "problem", "text"},
     "oracle/rig": {"problem", "implementations", "text"},
+    "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report",
-                   "rig"},
+    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
+                   "stability"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -35,7 +36,7 @@ TOP_LEVEL = {
 # Libraries by the start of the include, and the folders that may use them.
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
-    "Eigen/": {"fast", "oracle/rig"},
+    "Eigen/": {"fast", "oracle/rig", "oracle/stability"},
     "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
     # In oracle/implementations for its template only.
     "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},

@@ -1,0 +1,51 @@
+// A short version of `groundtruth stability`.
+
+#include <gtest/gtest.h>
+
+#include <groundtruth/stability/extremes.hpp>
+#include <groundtruth/stability/map.hpp>
+
+namespace groundtruth::stability {
+namespace {
+
+// A run that stopped without a reason, or went on with numbers that are none.
+bool is_unsound(const Ordeal& ordeal, std::uint64_t steps) {
+  return !ordeal.all_is_finite || (ordeal.halt == rig::Halt::none && ordeal.steps != steps) ||
+         (ordeal.halt == rig::Halt::refused && ordeal.reason.empty());
+}
+
+TEST(Extremes, EveryStepIsDoneWithFiniteNumbersOrSaysWhyNot) {
+  for (const Extreme& extreme : chosen_extremes())
+    EXPECT_FALSE(is_unsound(ordeal_of(extreme, 40), 40)) << extreme.name;
+}
+
+TEST(Extremes, SoDoRandomOnes) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed)
+    EXPECT_FALSE(is_unsound(ordeal_of(random_extreme(seed), 40), 40)) << seed;
+}
+
+TEST(StabilityMap, ExplicitIntegratorsStandStillBelowTheLimit) {
+  for (const Wheels wheels : {Wheels::one, Wheels::three}) {
+    Parked parked{wheels, 0.8 * explicit_limit(wheels, 0.3), 0.3};
+    EXPECT_EQ(cell_of(parked, 3000).fate, Fate::settled);
+    parked.h_omega = 1.2 * explicit_limit(wheels, 0.3);
+    EXPECT_NE(cell_of(parked, 3000).fate, Fate::settled);
+  }
+}
+
+TEST(StabilityMap, TheImplicitIntegratorStandsStillFarAboveIt) {
+  for (const double slope : {0.05, 0.1})
+    for (const double h_omega : {10.0, 1000.0}) {
+      const Parked parked{
+          Wheels::one, h_omega, 0.3, slope, rig::Integrator::implicit, Relocation::return_mapping};
+      EXPECT_EQ(cell_of(parked, 500).fate, Fate::settled) << h_omega;
+    }
+}
+
+TEST(StabilityMap, TheLimitIsTheKnownOne) {
+  EXPECT_DOUBLE_EQ(explicit_limit(Wheels::one, 0), 2);
+  EXPECT_NEAR(explicit_limit(Wheels::one, 1), 0.8284271247461903, 1e-15);
+}
+
+}  // namespace
+}  // namespace groundtruth::stability
