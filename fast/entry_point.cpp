@@ -18,18 +18,18 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
   const double lower = result.lower();
   const auto entry = decide(scene, probe, ask, result);
   if (!entry) {
-    answer.emplace<Miss>();
+    answer = Miss{};
     return {Stage::exact, Stage::none, Stage::none};
   }
   const RoundedLambda& lambda = entry->lambda;
   if (entry->leaf == no_leaf) {
-    answer.emplace<Inside>(lambda.value);
+    answer = Inside{lambda.value};
     return {Stage::exact, lambda.stage, Stage::none};
   }
   const HitPlace place{
       lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], {}}, entry->crossed};
   const FaceMaterial found = material_at(scene, probe, ask, place);
-  answer.emplace<Border>(lambda.value, place.face.leaf, place.face.half_space.normal, found.material);
+  answer = Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material};
   return {Stage::exact, lambda.stage, found.stage};
 }
 
@@ -38,17 +38,18 @@ EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer)
   SearchResult result;
   search(scene, probe, result);
   if (result.starts_inside) {
-    answer.emplace<Inside>(ask.lambda_first + 0.0);
+    answer = Inside{ask.lambda_first + 0.0};
     return {Stage::doubles, Stage::none, Stage::none};
   }
   if (result.contenders.empty()) {
-    answer.emplace<Miss>();
+    answer = Miss{};
     return {Stage::doubles, Stage::none, Stage::none};
   }
   const Face face = sole_face(scene, probe, result);
   if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
   const RoundedLambda lambda = correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask);
-  auto& border = answer.emplace<Border>(lambda.value, face.leaf, face.half_space.normal, std::nullopt);
+  auto& border =
+      answer.emplace<Border>(Border{lambda.value, face.leaf, face.half_space.normal, std::nullopt});
   if (const auto material = sure_material(face)) {
     border.material = *material;
     return {Stage::doubles, lambda.stage, Stage::doubles};
