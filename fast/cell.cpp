@@ -6,35 +6,6 @@
 
 namespace groundtruth::fast {
 
-namespace {
-
-double error_bound(const Cell& cell, const Probe& probe) {
-  return probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
-}
-
-CertifiedEnds certified_ends(const Probe& probe, double error) {
-  return {probe.ends().first.data(), probe.ends().last.data(), error};
-}
-
-}  // namespace
-
-Meeting meet(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe) {
-  const double error = error_bound(cell, probe);
-  if (!(error < greatest_usable_error)) return {};
-  const HalfSpaces4* const groups = cells.groups.data();
-  return kernels.meet(groups + cell.first_group, groups + cell.end_group(), certified_ends(probe, error));
-}
-
-Face sole_face(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe,
-               const Meeting& meeting) {
-  if (!(meeting.lower > 0)) return {};
-  const HalfSpaces4* const groups = cells.groups.data();
-  const Touching touching = kernels.touching(groups + cell.first_group, groups + cell.end_group(),
-                                             certified_ends(probe, error_bound(cell, probe)), meeting);
-  if (touching.count != 1) return {};
-  return {cells.leaf_at(cell, touching.place), cells.half_space_at(cell, touching.place), cell.material};
-}
-
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error) {
   const double w = delta_at_first - delta_at_last;
   if (!(std::abs(w) > 2 * error)) return {.leaf = leaf};
@@ -43,7 +14,7 @@ OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_la
 }
 
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves) {
-  const double error = error_bound(cell, probe);
+  const double error = probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
   const Vector &x = probe.ends().first, &y = probe.ends().last;
   for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
     const std::uint32_t leaf = cells.leaf_at(cell, place);
@@ -67,16 +38,6 @@ float no_less_than(double x) {
 }
 
 }  // namespace
-
-std::uint32_t PackedCells::leaf_at(const Cell& cell, std::uint32_t place) const {
-  return cell.listed_at == Cell::not_listed ? cell.first_leaf + place : leaves[cell.listed_at + place];
-}
-
-HalfSpace PackedCells::half_space_at(const Cell& cell, std::uint32_t place) const {
-  const HalfSpaces4& group = groups[cell.first_group + place / 4];
-  const std::uint32_t lane = place % 4;
-  return {{group.normal_x[lane], group.normal_y[lane], group.normal_z[lane]}, group.offset[lane]};
-}
 
 void PackedCells::add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces) {
   Cell cell{.first_group = static_cast<std::uint32_t>(groups.size()),

@@ -55,19 +55,29 @@ using OpenLeaves = boost::container::small_vector<OpenLeaf, 64>;
 // `error`, a usable error bound, of the exact ones.
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error);
 
-Meeting meet(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe);
+inline Meeting meet(const CellKernels& kernels, const PackedCells& cells, const Cell& cell,
+                    const Probe& probe) {
+  const double error = probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
+  if (!(error < greatest_usable_error)) return {};
+  const HalfSpaces4* const groups = cells.groups.data();
+  return kernels.meet(groups + cell.first_group, groups + cell.end_group(),
+                      {probe.ends().first.data(), probe.ends().last.data(), error});
+}
 
 // A leaf, and what is written on it.
 struct Face {
   Leaf leaf = no_leaf;
   HalfSpace half_space;
-  std::uint32_t material = by_rules;  // or whatever is sure of it
+  CellMaterial material;
 };
 
-// The one half-space of the cell through which the range can enter it at `meeting.lower` to
-// `meeting.upper`; no_leaf if there may be several or none. Requires a meeting that certainly hits.
-Face sole_face(const CellKernels& kernels, const PackedCells& cells, const Cell& cell, const Probe& probe,
-               const Meeting& meeting);
+// The half-space of the cell through which the range can enter it, if the meeting knows that it is one alone;
+// else no_leaf.
+inline Face sole_face(const PackedCells& cells, const Cell& cell, const Meeting& meeting) {
+  const std::uint32_t place = meeting.sole_place;
+  if (place == no_place) return {};
+  return {cells.leaf_at(cell, place), cells.half_space_at(cell, place), cell.material};
+}
 
 // Appends the half-spaces of the cell inside of which the range does not certainly stay.
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves);

@@ -1,7 +1,7 @@
 #pragma once
 // The inner loops, once for every x86-64 and once for those that have AVX2 and FMA. Not installed.
 //
-// Both give the same Meetings and touching lanes bit for bit: the same operations in the same order, each
+// Both give the same Meetings bit for bit: the same operations in the same order, each
 // rounded, none fused. A rounded crossing is the exact one's nearest double wherever it is certain; only how
 // often it is certain may differ, where products underflow.
 
@@ -21,27 +21,19 @@ struct CertifiedEnds {
   double error;
 };
 
-// Of the half-spaces that may have Delta = 0 in a Meeting: how many, and the place of the last one.
-struct Touching {
-  std::uint32_t count = 0;
-  std::uint32_t place = 0;  // from the first group's first
-};
-
 struct RoundedCrossing {
   double lambda = 0;
   bool is_certain = false;
 };
 
 struct CellKernels {
-  // Both require a usable error bound.
+  // Requires a usable error bound.
   Meeting (*meet)(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends);
-  Touching (*touching)(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends,
-                       const Meeting& meeting);
   // The children of a node that may be met no later than `upper`, as bits, and where first.
   unsigned (*meet_boxes)(const BoxNode& node, const BoxWay& way, float upper, float* nearest);
-  // Lemma crossing-in-double-double (proofs-notes/rounding.md). normal, from, to: three numbers each.
-  RoundedCrossing (*rounded_crossing)(const double* normal, double offset, const double* from,
-                                      const double* to);
+  // Lemma crossing-in-double-double (proofs-notes/rounding.md). from, to: three numbers each.
+  RoundedCrossing (*rounded_crossing)(double normal_x, double normal_y, double normal_z, double offset,
+                                      const double* from, const double* to);
 };
 
 extern const CellKernels portable_cell_kernels;

@@ -32,20 +32,6 @@ class GroupCrosser {
         error_(Lanes::all(ends.error)),
         twice_error_(Lanes::all(2 * ends.error)) {}
 
-  // Certainly outside one at both ends: then the cell is missed.
-  [[gnu::always_inline]] inline typename Lanes::Choice is_outside(const HalfSpaces4& group) const {
-    const Deltas at = deltas(group);
-    return lesser(at.first, at.last) > error_;
-  }
-
-  [[gnu::always_inline]] inline Crossings cross(const HalfSpaces4& group) const {
-    const auto [a, b] = deltas(group);
-    const Lanes w = a - b, inverse = Lanes::all(1) / w;
-    const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);
-    return {greater(a, b) < -error_, w > twice_error_, w < -twice_error_, middle - margin, middle + margin};
-  }
-
- private:
   struct Deltas {
     Lanes first, last;
   };
@@ -59,51 +45,84 @@ class GroupCrosser {
             x * last_x_ + y * last_y_ + z * last_z_ - offset};
   }
 
+  // Certainly outside one at both ends: then the cell is missed.
+  [[gnu::always_inline]] inline typename Lanes::Choice is_outside(const Deltas& at) const {
+    return lesser(at.first, at.last) > error_;
+  }
+
+  [[gnu::always_inline]] inline Crossings cross(const Deltas& at) const {
+    const auto [a, b] = at;
+    const Lanes w = a - b, inverse = Lanes::all(1) / w;
+    const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);
+    return {greater(a, b) < -error_, w > twice_error_, w < -twice_error_, middle - margin, middle + margin};
+  }
+
+ private:
   Lanes first_x_, first_y_, first_z_, last_x_, last_y_, last_z_, error_, twice_error_;
 };
 
-// Four half-spaces that are entered (the highest limits) or left (the lowest) abreast.
+// What the crossings of some groups say of their intersection: four half-spaces that are entered (the highest
+// limits) or left (the lowest) abreast.
+template <class Lanes>
+class GroupsMet {
+ public:
+  [[gnu::always_inline]] inline void add(const typename GroupCrosser<Lanes>::Crossings& at, double number) {
+    constexpr unsigned all = (1U << Lanes::width) - 1;
+    undecided_ |= all & ~(at.enters | at.leaves | at.is_inside).bits();
+    const Lanes upper = choose(at.enters, at.upper, before_range_);
+    second_enter_upper_ = greater(lesser(upper, enter_upper_), second_enter_upper_);
+    number_ = choose(upper > enter_upper_, Lanes::all(number), number_);
+    enter_upper_ = greater(upper, enter_upper_);
+    enter_lower_ = greater(choose(at.enters, at.lower, before_range_), enter_lower_);
+    exit_lower_ = lesser(choose(at.leaves, at.lower, after_range_), exit_lower_);
+    exit_upper_ = lesser(choose(at.leaves, at.upper, after_range_), exit_upper_);
+  }
+
+  [[gnu::always_inline]] inline Meeting meeting() const {
+    const double entry = enter_lower_.greatest(), lower = entry > 0 ? entry : 0;
+    if (lower > 1 || lower > exit_upper_.least()) return no_meeting;
+    const double upper = enter_upper_.greatest(), exit = exit_lower_.least();
+    if (undecided_ != 0 || !(upper <= 1 && upper <= exit && exit > 0)) return {lower, 2, no_place};
+    return {lower, upper, lower > 0 && upper < exit ? sole_place(lower) : no_place};
+  }
+
+ private:
+  // Of the one half-space entered no earlier than `lower`.
+  [[gnu::always_inline]] inline std::uint32_t sole_place(double lower) const {
+    const Lanes limit = Lanes::all(lower);
+    const unsigned touching = (enter_upper_ >= limit).bits();
+    if ((touching & (touching - 1)) != 0 || (second_enter_upper_ >= limit).bits() != 0) return no_place;
+    const int lane = __builtin_ctz(touching);
+    double numbers[Lanes::width];
+    number_.store(numbers);
+    return static_cast<std::uint32_t>(Lanes::width * static_cast<int>(numbers[lane]) + lane);
+  }
+
+  Lanes before_range_ = Lanes::all(-1), after_range_ = Lanes::all(2);
+  Lanes enter_lower_ = before_range_, enter_upper_ = before_range_, second_enter_upper_ = before_range_;
+  Lanes exit_lower_ = after_range_, exit_upper_ = after_range_;
+  Lanes number_ = Lanes::all(0);  // of the group that is entered last, by lane
+  unsigned undecided_ = 0;
+};
+
+// Two groups at a time: most cells have no more, and most are missed before anything is divided.
 template <class Lanes>
 Meeting meet_groups(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends) {
   const GroupCrosser<Lanes> crosser(ends);
-  // Most cells are missed like this: no need to divide.
-  unsigned outside = 0;
-  for (const HalfSpaces4* at = group; at != end; ++at) outside |= crosser.is_outside(*at).bits();
-  if (outside != 0) return no_meeting;
-  const Lanes before_range = Lanes::all(-1), after_range = Lanes::all(2);
-  Lanes enter_lower = before_range, enter_upper = before_range, exit_lower = after_range,
-        exit_upper = after_range;
-  unsigned undecided = 0;
-  constexpr unsigned all = (1U << Lanes::width) - 1;
-  for (; group != end; ++group) {
-    const auto at = crosser.cross(*group);
-    undecided |= all & ~(at.enters | at.leaves | at.is_inside).bits();
-    enter_lower = greater(choose(at.enters, at.lower, before_range), enter_lower);
-    enter_upper = greater(choose(at.enters, at.upper, before_range), enter_upper);
-    exit_lower = lesser(choose(at.leaves, at.lower, after_range), exit_lower);
-    exit_upper = lesser(choose(at.leaves, at.upper, after_range), exit_upper);
+  GroupsMet<Lanes> met;
+  double number = 0;
+  for (; end - group >= 2; group += 2, number += 2) {
+    const auto one = crosser.deltas(group[0]), other = crosser.deltas(group[1]);
+    if ((crosser.is_outside(one) | crosser.is_outside(other)).bits() != 0) return no_meeting;
+    met.add(crosser.cross(one), number);
+    met.add(crosser.cross(other), number + 1);
   }
-  const double entry = enter_lower.greatest(), lower = entry > 0 ? entry : 0;
-  if (lower > 1 || lower > exit_upper.least()) return no_meeting;
-  const double upper = enter_upper.greatest(), exit = exit_lower.least();
-  const bool is_certain = undecided == 0 && upper <= 1 && upper <= exit && exit > 0;
-  return {lower, is_certain ? upper : 2};
-}
-
-template <class Lanes>
-Touching touching_groups(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends,
-                         const Meeting& meeting) {
-  const GroupCrosser<Lanes> crosser(ends);
-  const Lanes lower = Lanes::all(meeting.lower), upper = Lanes::all(meeting.upper);
-  Touching found;
-  for (std::uint32_t first = 0; group != end; ++group, first += Lanes::width) {
-    const auto at = crosser.cross(*group);
-    const unsigned touches = ((at.enters & (at.upper >= lower)) | (at.leaves & (at.lower <= upper))).bits();
-    if (touches == 0) continue;
-    found.count += static_cast<std::uint32_t>(__builtin_popcount(touches));
-    found.place = first + static_cast<std::uint32_t>(__builtin_ctz(touches));
+  if (group != end) {
+    const auto last = crosser.deltas(*group);
+    if (crosser.is_outside(last).bits() != 0) return no_meeting;
+    met.add(crosser.cross(last), number);
   }
-  return found;
+  return met.meeting();
 }
 
 // Lemma box-slabs (box_probe.hpp).
@@ -123,7 +142,7 @@ unsigned meet_eight_boxes(const BoxNode& node, const BoxWay& way, float upper, f
 }
 
 template <class Lanes, class FloatLanes, class Products>
-constexpr CellKernels kernels_of{meet_groups<Lanes>, touching_groups<Lanes>, meet_eight_boxes<FloatLanes>,
+constexpr CellKernels kernels_of{meet_groups<Lanes>, meet_eight_boxes<FloatLanes>,
                                  rounded_crossing_of<Products>};
 
 }  // namespace groundtruth::fast

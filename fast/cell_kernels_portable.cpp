@@ -3,6 +3,6 @@
 
 namespace groundtruth::fast {
 
-const CellKernels portable_cell_kernels = kernels_of<Lanes, FloatLanes, DekkerProducts>;
+const CellKernels portable_cell_kernels = kernels_of<Lanes, FloatLanes, DekkerProducts<TwoDoubles>>;
 
 }  // namespace groundtruth::fast

@@ -33,7 +33,7 @@ class Compiler {
     for (const Expression& region : scene_.regions_)
       scene_.region_boxes_.push_back(box_around(region, region.nodes.data()));
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
-    if (options.has(Simplification::hidden_rules)) settle_materials();
+    if (options.has(Simplification::known_materials)) settle_materials();
   }
 
   Scene result() {
@@ -62,25 +62,55 @@ class Compiler {
     scene_.solid_.nodes = std::move(folded);
   }
 
-  // Where one material, or none, covers a cell whatever the point, the cell bears it.
+  // Where one material, or none, covers a cell whatever the point, the cell bears it. Else its rule, if it
+  // has one alone.
   void settle_materials() {
-    PackedCells& cells = scene_.parts_.cells;
-    for (Cell& cell : cells.cells) {
-      std::optional<std::uint32_t> common;
-      for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
-        const std::uint32_t material = material_of(cells.leaf_at(cell, place));
-        if (common && *common != material) common = by_rules;
-        if (!common) common = material;
-      }
-      cell.material = common.value_or(by_rules);
+    const PackedCells& cells = scene_.parts_.cells;
+    std::size_t known = 0, remote = 0;
+    for (Cell& cell : scene_.parts_.cells.cells) {
+      if (cell.leaf_count == 0) continue;
+      // Leaves ascend in a cell.
+      const auto first = scene_.run_of(cell.first_leaf);
+      const std::uint32_t last_leaf = cells.leaf_at(cell, cell.leaf_count - 1);
+      if (std::next(first) != scene_.rule_runs_.end() && std::next(first)->first_leaf <= last_leaf) continue;
+      cell.material = material_by(innermost_in_reach(cell, first->rule, remote));
+      known += cell.material.material != CellMaterial::by_rules;
     }
+    const auto note = [&](Simplification what, std::size_t count, const char* why) {
+      if (count > 0) scene_.left_out_.push_back({what, count, why});
+    };
+    note(Simplification::known_materials, known, "cells of one material, or none: no rules for their hits");
+    note(Simplification::remote_paints, remote, "paints of cells that they do not reach");
   }
 
-  std::uint32_t material_of(std::uint32_t leaf) const {
-    const auto place = scene_.rule_of(leaf);
-    if (!place) return no_material;
-    const MaterialRule& rule = scene_.rules_[*place];
-    return rule.region || rule.outer_rule ? by_rules : static_cast<std::uint32_t>(rule.material);
+  // A paint whose region holds no point of the cell decides nothing there: the next further out may.
+  std::uint32_t innermost_in_reach(const Cell& cell, std::uint32_t rule, std::size_t& skipped) const {
+    constexpr int most_skipped = 8;  // of one cell, to bound the time
+    if (!options_.has(Simplification::remote_paints)) return rule;
+    for (int i = 0; i != most_skipped && rule != RuleRun::no_rule; ++i) {
+      const MaterialRule& at = scene_.rules_[rule];
+      if (!at.region || !is_apart(cell, scene_.region_boxes_[*at.region])) break;
+      rule = at.outer_rule.value_or(RuleRun::no_rule);
+      ++skipped;
+    }
+    return rule;
+  }
+
+  // Certainly no point of the box lies in the cell.
+  bool is_apart(const Cell& cell, const Box& box) const {
+    if (box.is_empty()) return true;
+    for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
+      const auto& [n, d] = scene_.parts_.cells.half_space_at(cell, place);
+      if (greatest_delta({{-n[0], -n[1], -n[2]}, -d}, box) < 0) return true;
+    }
+    return false;
+  }
+
+  CellMaterial material_by(std::uint32_t rule) const {
+    if (rule == RuleRun::no_rule) return {CellMaterial::none, CellMaterial::unknown_rule};
+    const MaterialRule& at = scene_.rules_[rule];
+    if (at.region || at.outer_rule) return {CellMaterial::by_rules, rule};
+    return {static_cast<std::uint32_t>(at.material), rule};
   }
 
   void note_rule(std::uint32_t leaf, std::uint32_t rule) {
@@ -197,11 +227,14 @@ class Compiler {
   Scene scene_;
 };
 
-std::optional<std::uint32_t> Scene::rule_of(std::uint32_t leaf) const {
-  const auto next =
+std::vector<RuleRun>::const_iterator Scene::run_of(std::uint32_t leaf) const {
+  return std::prev(
       std::upper_bound(rule_runs_.begin(), rule_runs_.end(), leaf,
-                       [](std::uint32_t number, const RuleRun& run) { return number < run.first_leaf; });
-  const std::uint32_t rule = std::prev(next)->rule;
+                       [](std::uint32_t number, const RuleRun& run) { return number < run.first_leaf; }));
+}
+
+std::optional<std::uint32_t> Scene::rule_of(std::uint32_t leaf) const {
+  const std::uint32_t rule = run_of(leaf)->rule;
   return rule == RuleRun::no_rule ? std::nullopt : std::optional(rule);
 }
 

@@ -17,11 +17,13 @@ enum class Simplification {
   buried_parts,           // cells that lie wholly inside a half-space of the solid's union
   redundant_half_spaces,  // faces of a cell that the cell certainly does not reach
   hidden_rules,           // materials under a material that covers the same faces
+  known_materials,        // rules are not looked at where a cell bears one material, or none
+  remote_paints,          // paints of a cell whose region certainly does not reach it
   hierarchy,              // the boxes over the parts; without it every part is looked at
   grid,                   // the squares over flat scenes, for short ranges
 };
 
-inline constexpr std::size_t number_of_simplifications = 8;
+inline constexpr std::size_t number_of_simplifications = 10;
 
 std::string_view name_of(Simplification simplification);
 

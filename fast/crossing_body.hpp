@@ -4,90 +4,96 @@
 // As cell_kernels_body.hpp: nothing here may be shared between sets of instructions, hence the templates.
 
 #include <groundtruth/fast/cell_kernels.hpp>
+#include <groundtruth/fast/lanes.hpp>
 
 namespace groundtruth::fast {
 
-// An unevaluated sum: high = fl(high + low).
-struct NumberPair {
-  double high;
-  double low;
-};
-
-// Dekker's: exact unless a part under- or overflows.
+// What a product of doubles loses when it is rounded, by Dekker: exact unless a part under- or overflows.
+// Ends: two numbers, those for a segment's two ends, abreast.
+template <class Of>
 struct DekkerProducts {
-  static NumberPair product(double a, double b) {
-    constexpr double splitter = 0x1p27 + 1;
-    const double a_scaled = splitter * a, a_high = a_scaled - (a_scaled - a), a_low = a - a_high;
-    const double b_scaled = splitter * b, b_high = b_scaled - (b_scaled - b), b_low = b - b_high;
-    const double rounded = a * b;
-    return {rounded, a_low * b_low - (((rounded - a_high * b_high) - a_low * b_high) - a_high * b_low)};
-  }
-};
+  using Ends = OneVector<Of>;
 
-// Exact unless the error underflows or the product overflows: as good as Dekker's at least.
-struct FusedProducts {
-  static NumberPair product(double a, double b) {
-    const double rounded = a * b;
-    return {rounded, __builtin_fma(a, b, -rounded)};
+  template <class Number>
+  static Number lost(Number a, Number b, Number product) {
+    const Number a_scaled = splitter(a) * a, a_high = a_scaled - (a_scaled - a), a_low = a - a_high;
+    const Number b_scaled = splitter(b) * b, b_high = b_scaled - (b_scaled - b), b_low = b - b_high;
+    return a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
   }
+  // a - quotient * b, of a quotient that is rounded to nearest.
+  static double remainder(double a, double quotient, double b) {
+    const double product = quotient * b;
+    return (a - product) - lost(quotient, b, product);
+  }
+
+ private:
+  static double splitter(double) { return 0x1p27 + 1; }
+  static Ends splitter(Ends) { return Ends::all(0x1p27 + 1); }
 };
 
 template <class Products>
 class DoubleDouble {
  public:
-  static NumberPair sum(double a, double b) {
-    const double rounded = a + b, b_part = rounded - a;
+  using Ends = typename Products::Ends;
+
+  // A sum of doubles, and what it lost.
+  template <class Number>
+  struct Sum {
+    Number value;
+    Number lost;
+  };
+
+  template <class Number>
+  static Sum<Number> sum(Number a, Number b) {
+    const Number rounded = a + b, b_part = rounded - a;
     return {rounded, (a - (rounded - b_part)) + (b - b_part)};
   }
 
-  // Requires |a| >= |b| or a = 0.
-  static NumberPair ordered_sum(double a, double b) {
-    const double rounded = a + b;
-    return {rounded, b - (rounded - a)};
-  }
-
-  // Delta at x, and the sum of its terms' magnitudes.
-  struct Delta {
-    NumberPair value;
-    double size;
+  // value + rest is Delta but for 32 u^2 size + 2^-1060; |rest| <= 4 u size. size: the sum of the magnitudes
+  // of its terms.
+  struct Deltas {
+    Ends value;
+    Ends rest;
+    Ends size;
   };
 
-  // Off by at most 32 u^2 size + 2^-1060.
-  static Delta delta(const double* normal, double offset, const double* x) {
-    const NumberPair p0 = Products::product(normal[0], x[0]);
-    const NumberPair p1 = Products::product(normal[1], x[1]);
-    const NumberPair p2 = Products::product(normal[2], x[2]);
-    const NumberPair s0 = sum(p0.high, p1.high);
-    const NumberPair s1 = sum(p2.high, -offset);
-    const NumberPair s2 = sum(s0.high, s1.high);
-    const double rest = ((p0.low + p1.low) + p2.low) + ((s0.low + s1.low) + s2.low);
-    return {sum(s2.high, rest), __builtin_fabs(p0.high) + __builtin_fabs(p1.high) + __builtin_fabs(p2.high) +
-                                    __builtin_fabs(offset)};
+  static Deltas deltas(Ends n_x, Ends n_y, Ends n_z, Ends offset, Ends x, Ends y, Ends z) {
+    const Ends p0 = n_x * x, p1 = n_y * y, p2 = n_z * z;
+    const Ends e0 = Products::lost(n_x, x, p0), e1 = Products::lost(n_y, y, p1),
+               e2 = Products::lost(n_z, z, p2);
+    const auto s0 = sum(p0, p1), s1 = sum(p2, -offset), s2 = sum(s0.value, s1.value);
+    return {s2.value, ((e0 + e1) + e2) + ((s0.lost + s1.lost) + s2.lost),
+            magnitude(p0) + magnitude(p1) + magnitude(p2) + magnitude(offset)};
   }
+
+ private:
+  static Ends magnitude(Ends x) { return greater(x, -x); }
 };
 
 template <class Products>
-RoundedCrossing rounded_crossing_of(const double* normal, double offset, const double* from,
-                                    const double* to) {
+RoundedCrossing rounded_crossing_of(double normal_x, double normal_y, double normal_z, double offset,
+                                    const double* from, const double* to) {
   using Twice = DoubleDouble<Products>;
+  using Ends = typename Products::Ends;
   constexpr double unit = 0x1p-53;
-  const auto a = Twice::delta(normal, offset, from), b = Twice::delta(normal, offset, to);
-  const NumberPair w_high = Twice::sum(a.value.high, -b.value.high);
-  const NumberPair w = Twice::sum(w_high.high, w_high.low + (a.value.low - b.value.low));
+  const auto at =
+      Twice::deltas(Ends::all(normal_x), Ends::all(normal_y), Ends::all(normal_z), Ends::all(offset),
+                    Ends{{from[0], to[0]}}, Ends{{from[1], to[1]}}, Ends{{from[2], to[2]}});
+  const auto difference = Twice::sum(at.value[0], -at.value[1]);
+  const auto w = Twice::sum(difference.value, difference.lost + (at.rest[0] - at.rest[1]));
 
-  const double q0 = a.value.high / w.high;
-  const NumberPair product = Products::product(q0, w.high);
-  const double remainder = ((a.value.high - product.high) - product.low) + (a.value.low - q0 * w.low);
+  const double q0 = at.value[0] / w.value;
+  const double remainder = Products::remainder(at.value[0], q0, w.value) + (at.rest[0] - q0 * w.lost);
   // Beside q0, so that nothing waits for it.
-  const double signed_inverse = 1 / w.high, inverse = __builtin_fabs(signed_inverse);
-  const NumberPair lambda = Twice::ordered_sum(q0, remainder * signed_inverse);
+  const double signed_inverse = 1 / w.value, inverse = __builtin_fabs(signed_inverse);
+  const auto lambda = Twice::sum(q0, remainder * signed_inverse);
 
-  const double size = a.size + b.size, magnitude = __builtin_fabs(lambda.high);
+  const double size = at.size[0] + at.size[1], magnitude = __builtin_fabs(lambda.value);
   const double error = 128 * unit * unit * (size * inverse) * (1 + 2 * magnitude) +
                        32 * unit * unit * magnitude + 0x1p-1000 * (1 + 2 * magnitude) * inverse;
   const bool is_in_range = size < 0x1p900 && magnitude > 0x1p-900 && magnitude < 0x1p900;
-  return {lambda.high,
-          is_in_range && lambda.high + (lambda.low + error) == lambda.high + (lambda.low - error)};
+  return {lambda.value,
+          is_in_range && lambda.value + (lambda.lost + error) == lambda.value + (lambda.lost - error)};
 }
 
 }  // namespace groundtruth::fast

@@ -8,11 +8,14 @@
 
 namespace groundtruth::fast {
 
-struct DecidedEntry {
-  EntryAnswer answer;
+struct EntryStages {
   Stage place = Stage::none;     // hit or miss, and the leaf
   Stage lambda = Stage::none;    // none: it is the range's first, or there is none
   Stage material = Stage::none;  // none: no face is hit
+};
+
+struct DecidedEntry : EntryStages {
+  EntryAnswer answer;
 };
 
 // entry_point() is its answer.

@@ -12,46 +12,73 @@ namespace groundtruth::fast {
 
 namespace {
 
-DecidedEntry on_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place,
-                     Stage place_stage, const RoundedLambda& lambda) {
-  const FaceMaterial found = material_at(scene, probe, ask, place);
-  return {Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material}, place_stage,
-          lambda.stage, found.stage};
-}
-
-DecidedEntry exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask, SearchResult& result) {
+// Answers go where they are wanted, and the rest is returned.
+EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAsk& ask, SearchResult& result,
+                           EntryAnswer& answer) {
   const double lower = result.lower();
   const auto entry = decide(scene, probe, ask, result);
-  if (!entry) return {Miss{}, Stage::exact, Stage::none, Stage::none};
+  if (!entry) {
+    answer = Miss{};
+    return {Stage::exact, Stage::none, Stage::none};
+  }
   const RoundedLambda& lambda = entry->lambda;
-  if (entry->leaf == no_leaf) return {Inside{lambda.value}, Stage::exact, lambda.stage, Stage::none};
+  if (entry->leaf == no_leaf) {
+    answer = Inside{lambda.value};
+    return {Stage::exact, lambda.stage, Stage::none};
+  }
   const HitPlace place{
-      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], by_rules}, entry->crossed};
-  return on_face(scene, probe, ask, place, Stage::exact, lambda);
+      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], {}}, entry->crossed};
+  const FaceMaterial found = material_at(scene, probe, ask, place);
+  answer = Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material};
+  return {Stage::exact, lambda.stage, found.stage};
+}
+
+EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  const Probe probe(ends_of(ask));
+  SearchResult result;
+  search(scene, probe, result);
+  if (result.starts_inside) {
+    answer = Inside{ask.lambda_first + 0.0};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  if (result.contenders.empty()) {
+    answer = Miss{};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
+  const RoundedLambda lambda = correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask);
+  auto& border =
+      answer.emplace<Border>(Border{lambda.value, face.leaf, face.half_space.normal, std::nullopt});
+  if (const auto material = sure_material(face)) {
+    border.material = *material;
+    return {Stage::doubles, lambda.stage, Stage::doubles};
+  }
+  const FaceMaterial found =
+      material_at(scene, probe, ask, {result.lower(), result.upper, face, face.half_space});
+  border.material = found.material;
+  return {Stage::doubles, lambda.stage, found.stage};
 }
 
 }  // namespace
 
 DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
-  const Probe probe(ends_of(ask));
-  SearchResult result;
-  search(scene, probe, result);
-  if (result.starts_inside) return {Inside{ask.lambda_first + 0.0}, Stage::doubles, Stage::none, Stage::none};
-  if (result.contenders.empty()) return {Miss{}, Stage::doubles, Stage::none, Stage::none};
-  const Face face = sole_face(scene, probe, result);
-  if (face.leaf == no_leaf) return exactly(scene, probe, ask, result);
-  const HitPlace place{result.lower(), result.upper, face, face.half_space};
-  return on_face(scene, probe, ask, place, Stage::doubles,
-                 correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask));
+  DecidedEntry entry;
+  static_cast<EntryStages&>(entry) = decide(scene, ask, entry.answer);
+  return entry;
 }
 
-EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) { return decide_entry(scene, ask).answer; }
+EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {
+  EntryAnswer answer;
+  decide(scene, ask, answer);
+  return answer;
+}
 
 void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
   // What has few squares is in the cache.
   constexpr std::size_t fewest_entries = 10000;
   if (scene.parts().grid.entries.size() < fewest_entries) {
-    for (std::size_t i = 0; i != asks.size(); ++i) answers[i] = entry_point(scene, asks[i]);
+    for (std::size_t i = 0; i != asks.size(); ++i) decide(scene, asks[i], answers[i]);
     return;
   }
   constexpr std::size_t most_in_flight = 16;
@@ -66,7 +93,7 @@ void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<
     for (Prefetcher& ask : in_flight) ask.fetch_entries();
     for (Prefetcher& ask : in_flight) ask.fetch_cells();
     for (Prefetcher& ask : in_flight) ask.fetch_half_spaces();
-    for (std::size_t i = first; i != end; ++i) answers[i] = entry_point(scene, asks[i]);
+    for (std::size_t i = first; i != end; ++i) decide(scene, asks[i], answers[i]);
   }
 }
 

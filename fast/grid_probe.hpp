@@ -28,10 +28,12 @@ struct SquareProbe {
   std::uint8_t first_across, last_across, first_along, last_along;
   double low, high;
 
+  // One branch, not six that nobody can foretell.
   bool reaches(const GridEntry& entry) const {
-    return entry.first_across <= last_across && entry.last_across >= first_across &&
-           entry.first_along <= last_along && entry.last_along >= first_along && double{entry.low} <= high &&
-           double{entry.high} >= low;
+    const int across = (entry.first_across <= last_across) & (entry.last_across >= first_across);
+    const int along = (entry.first_along <= last_along) & (entry.last_along >= first_along);
+    const int upward = (double{entry.low} <= high) & (double{entry.high} >= low);
+    return (across & along & upward) != 0;
   }
 };
 

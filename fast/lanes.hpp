@@ -106,14 +106,21 @@ struct OneVector {
   friend OneVector lesser(OneVector a, OneVector b) { return {Of::lesser(a.vector, b.vector)}; }
 
   Number greatest() const {
-    Number best = vector[0];
-    for (int i = 1; i < width; ++i) best = vector[i] > best ? vector[i] : best;
-    return best;
+    const OneVector best = greater(*this, halves_swapped());
+    return best[0] > best[1] ? best[0] : best[1];
   }
   Number least() const {
-    Number best = vector[0];
-    for (int i = 1; i < width; ++i) best = vector[i] < best ? vector[i] : best;
-    return best;
+    const OneVector best = lesser(*this, halves_swapped());
+    return best[0] < best[1] ? best[0] : best[1];
+  }
+
+ private:
+  OneVector halves_swapped() const {
+    static_assert(width == 2 || width == 4);
+    if constexpr (width == 2)
+      return {__builtin_shufflevector(vector, vector, 1, 0)};
+    else
+      return {__builtin_shufflevector(vector, vector, 2, 3, 0, 1)};
   }
 };
 

@@ -43,6 +43,26 @@ struct EightFloats {
   }
 };
 
+// Two abreast, and what their products lose. A type of its own: its instructions are those of this file.
+struct TwoFusedDoubles {
+  using Number = double;
+  using Vector = V2d;
+  using Mask = V2i;
+  static constexpr int width = 2;
+  static Vector greater(Vector a, Vector b) { return _mm_max_pd(a, b); }
+  static Vector lesser(Vector a, Vector b) { return _mm_min_pd(a, b); }
+};
+
+// Exact unless the error underflows or the product overflows: as good as Dekker's at least.
+struct FusedProducts {
+  using Ends = OneVector<TwoFusedDoubles>;
+  static Ends lost(Ends a, Ends b, Ends product) {
+    return {_mm_fmsub_pd(a.vector, b.vector, product.vector)};
+  }
+  // a - quotient * b, of a quotient that is rounded to nearest.
+  static double remainder(double a, double quotient, double b) { return __builtin_fma(-quotient, b, a); }
+};
+
 using WideLanes = OneVector<FourDoubles>;
 using WideFloatLanes = OneVector<EightFloats>;
 

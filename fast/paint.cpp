@@ -100,16 +100,17 @@ Membership member_by_doubles(const Scene& scene, std::uint32_t region, const Pro
   return RegionView(scene.regions()[region], probe, place, place.face.half_space).of_whole();
 }
 
+std::optional<std::uint32_t> innermost_rule(const Scene& scene, const Face& face) {
+  const std::uint32_t rule = face.material.rule;
+  return rule != CellMaterial::unknown_rule ? rule : scene.rule_of(static_cast<std::uint32_t>(face.leaf));
+}
+
 }  // namespace
 
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
-  const std::uint32_t sure = place.face.material;
-  if (sure == no_material) return {std::nullopt, Stage::doubles};
-  if (sure != by_rules) return {MaterialIndex{sure}, Stage::doubles};
   // Rules are linked from the innermost outwards, and the outermost that holds decides.
   FaceMaterial found;
-  for (auto at = scene.rule_of(static_cast<std::uint32_t>(place.face.leaf)); at;
-       at = scene.rules()[*at].outer_rule) {
+  for (auto at = innermost_rule(scene, place.face); at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     if (rule.region) {
       const Expression& region = scene.regions()[*rule.region];
@@ -129,8 +130,7 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
 std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
                                                                 const HitPlace& place) {
   std::optional<MaterialIndex> material;
-  for (auto at = scene.rule_of(static_cast<std::uint32_t>(place.face.leaf)); at;
-       at = scene.rules()[*at].outer_rule) {
+  for (auto at = innermost_rule(scene, place.face); at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     const Membership member =
         rule.region ? member_by_doubles(scene, *rule.region, probe, place) : Membership::yes;

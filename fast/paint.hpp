@@ -10,6 +10,14 @@
 
 namespace groundtruth::fast {
 
+// The material that a face bears wherever it is hit; nothing: rules decide.
+inline std::optional<std::optional<MaterialIndex>> sure_material(const Face& face) {
+  const std::uint32_t material = face.material.material;
+  if (material == CellMaterial::by_rules) return std::nullopt;
+  if (material == CellMaterial::none) return std::optional<MaterialIndex>();
+  return MaterialIndex{material};
+}
+
 // Where a range meets the solid: at lower <= s <= upper, on the border of a face.
 struct HitPlace {
   double lower = 0;
@@ -23,7 +31,8 @@ struct FaceMaterial {
   Stage stage = Stage::doubles;  // exact if one region at least needed it
 };
 
-// The outermost rule over the leaf that holds at the place (SPEC section 2), exactly.
+// The outermost rule over the leaf that holds at the place (SPEC section 2), exactly. Looks at rules even
+// where the face bears its material.
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place);
 
 // The same for any range, if doubles can tell.

@@ -21,9 +21,14 @@ struct alignas(64) HalfSpaces4 {
 
 inline constexpr Leaf no_leaf = 0xffffffff;
 
-// Of a face: a place in Scene::materials, or one of these.
-inline constexpr std::uint32_t by_rules = 0xffffffff;
-inline constexpr std::uint32_t no_material = 0xfffffffe;
+// What decides the material of a face. The material: a place in Scene::materials, or one of these two; where
+// rules decide, the innermost one is a place in Scene::rules, unless it is unknown.
+struct CellMaterial {
+  static constexpr std::uint32_t by_rules = 0xffffffff, none = 0xfffffffe, unknown_rule = 0xffffffff;
+
+  std::uint32_t material = by_rules;
+  std::uint32_t rule = unknown_rule;
+};
 
 // An intersection of half-spaces, in the groups from first_group on.
 struct Cell {
@@ -35,7 +40,7 @@ struct Cell {
   float offset_size = 0;                 // >= |d| of each
   std::uint32_t first_leaf = 0;          // the number of the first; they are numbered on from there,
   std::uint32_t listed_at = not_listed;  // unless they are listed in PackedCells::leaves
-  std::uint32_t material = by_rules;     // of all its faces
+  CellMaterial material{};               // of all its faces
 
   std::uint32_t end_group() const { return first_group + (leaf_count + 3) / 4; }
 };
@@ -49,8 +54,14 @@ struct PackedCells {
   void add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces);
 
   // Of the half-space at this place in the cell.
-  std::uint32_t leaf_at(const Cell& cell, std::uint32_t place) const;
-  HalfSpace half_space_at(const Cell& cell, std::uint32_t place) const;
+  std::uint32_t leaf_at(const Cell& cell, std::uint32_t place) const {
+    return cell.listed_at == Cell::not_listed ? cell.first_leaf + place : leaves[cell.listed_at + place];
+  }
+  HalfSpace half_space_at(const Cell& cell, std::uint32_t place) const {
+    const HalfSpaces4& group = groups[cell.first_group + place / 4];
+    const std::uint32_t lane = place % 4;
+    return {{group.normal_x[lane], group.normal_y[lane], group.normal_z[lane]}, group.offset[lane]};
+  }
 };
 
 // A convex cell, by its place in Parts::cells; from there on a node of the solid, by its place in

@@ -47,6 +47,8 @@ class Scene {
   friend class Compiler;
   Scene() = default;
 
+  std::vector<RuleRun>::const_iterator run_of(std::uint32_t leaf) const;
+
   Expression solid_;
   Parts parts_;
   std::vector<Expression> regions_;

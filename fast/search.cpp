@@ -143,12 +143,11 @@ Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& resul
   const auto& [part, meeting] = result.contenders.front();
   if (!meeting.certainly_hits()) return {};
   const Parts& parts = scene.parts();
-  if (parts.is_cell(part))
-    return sole_face(*parts.kernels, parts.cells, parts.cells.cells[part], probe, meeting);
+  if (parts.is_cell(part)) return sole_face(parts.cells, parts.cells.cells[part], meeting);
   SievedExpression sieved;
   sieve(scene.solid(), scene.solid().nodes.data() + parts.node_of(part), probe, sieved);
   const Leaf leaf = sole_leaf(sieved, meeting);
-  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf], by_rules};
+  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf], {}};
 }
 
 }  // namespace groundtruth::fast

@@ -77,13 +77,15 @@ Peer naive_doubles(const Scene& scene) {
   const auto plain = std::make_shared<as_written::Scene>(scene);
   return {"naive doubles", counting([=](const EntryAsk& ask) {
             return is_hit(as_written::entry_point(*plain, ask, as_written::Errata{}));
-          })};
+          }),
+          Pace::slow};
 }
 
 Peer exact_engine(const Scene& scene) {
   const auto prepared = std::make_shared<exact::Scene>(scene);
   return {"exact",
-          counting([=](const EntryAsk& ask) { return is_hit(exact::entry_point(*prepared, ask).answer); })};
+          counting([=](const EntryAsk& ask) { return is_hit(exact::entry_point(*prepared, ask).answer); }),
+          Pace::slow};
 }
 
 }  // namespace groundtruth::bench

@@ -16,9 +16,13 @@ namespace groundtruth::bench {
 // Answers all asks and returns how many hit, so that nothing can be left out.
 using AnswerAll = std::function<std::size_t(std::span<const EntryAsk>)>;
 
+// Slow: work grows with the number of half-spaces.
+enum class Pace { quick, slow };
+
 struct Peer {
   std::string name;
   AnswerAll answer;
+  Pace pace = Pace::quick;
 };
 
 // Each builds what it needs of the scene when called.

@@ -85,6 +85,26 @@ TEST(FastLeftOut, CountsRulesUnderAMaterial) {
   EXPECT_EQ(left_out(paint(0, ground, cover(1, ground)), Simplification::hidden_rules), 0u);
 }
 
+TEST(FastLeftOut, CountsCellsWhoseMaterialIsKnownBeforeTheyAreHit) {
+  const Shape ground = half_space({0, 0, 1}, 0), house = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(left_out(unite({cover(0, ground), house}), Simplification::known_materials), 2u);
+  EXPECT_EQ(left_out(paint(0, box({0, 0, 0}, {1, 1, 1}), ground), Simplification::known_materials), 0u);
+}
+
+TEST(FastLeftOut, CountsPaintsThatDoNotReachACellAndTheNextFurtherOutDecides) {
+  const Shape patch = box({2, 2, 0}, {3, 3, 1}), house = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(left_out(paint(0, patch, house), Simplification::remote_paints), 1u);
+  EXPECT_EQ(left_out(paint(0, box({1, 1, 1}, {2, 2, 2}), house), Simplification::remote_paints), 0u);
+  const fast::Scene compiled =
+      fast::compile({{{"dry", {}, {}}, {"wet", {}, {}}}, cover(1, paint(0, patch, house))});
+  const auto answer = fast::entry_point(compiled, {{0.5, 0.5, 2}, {0.5, 0.5, 0}});
+  EXPECT_EQ(std::get<Border>(answer).material, MaterialIndex{1});
+  const fast::Scene painted =
+      fast::compile({{{"dry", {}, {}}, {"wet", {}, {}}}, paint(1, house, paint(0, patch, house))});
+  EXPECT_EQ(std::get<Border>(fast::entry_point(painted, {{0.5, 0.5, 2}, {0.5, 0.5, 0}})).material,
+            MaterialIndex{1});
+}
+
 TEST(FastLeftOut, NamesTheIndex) {
   const auto chosen = [](const Scene& scene, Simplification what) {
     const auto all = fast::compile(scene).left_out();
