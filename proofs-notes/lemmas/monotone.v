@@ -6,24 +6,13 @@ From Groundtruth Require Import shapes phi.
 Import ListNotations.
 Open Scope Q_scope.
 
-Fixpoint map_leaves (f : course -> course) (s : shape course) : shape course :=
-  match s with
-  | Leaf c => Leaf (f c)
-  | Union ss => Union (map (map_leaves f) ss)
-  | Intersection ss => Intersection (map (map_leaves f) ss)
-  end.
-
 (* The half-space with its offset grown by `by_`: Delta falls by as much. *)
 Definition plane_moved (by_ : course -> Q) (c : course) : course :=
   Course (number c) (at_origin c - by_ c) (slope c).
-Definition with_planes_moved (by_ : course -> Q) : shape course -> shape course := map_leaves (plane_moved by_).
+Definition with_planes_moved (by_ : course -> Q) : shape course -> shape course := mapped (plane_moved by_).
 
-Lemma is_in_mapped f s l : is_in (map_leaves f s) l <-> value (fun c => holds_at l (f c)) s = true.
-Proof.
-  unfold is_in. replace (value (holds_at l) (map_leaves f s)) with (value (fun c => holds_at l (f c)) s); [tauto |].
-  induction s as [c | ss IH | ss IH] using shape_induction; simpl; trivial;
-    induction IH as [| s ss same _ rest]; simpl; trivial; now rewrite same, rest.
-Qed.
+Lemma is_in_mapped (f : course -> course) s l : is_in (mapped f s) l <-> value (fun c => holds_at l (f c)) s = true.
+Proof. unfold is_in. now rewrite value_mapped. Qed.
 
 Lemma grown_holds_more less more s l : (forall c, less c <= more c) ->
   is_in (with_planes_moved less s) l -> is_in (with_planes_moved more s) l.

@@ -51,6 +51,20 @@ Fixpoint leaves {L} (s : shape L) : list L :=
   | Union operands | Intersection operands => flat_map leaves operands
   end.
 
+(* The same expression with other leaves. *)
+Fixpoint mapped {L M} (f : L -> M) (s : shape L) : shape M :=
+  match s with
+  | Leaf leaf => Leaf (f leaf)
+  | Union operands => Union (map (mapped f) operands)
+  | Intersection operands => Intersection (map (mapped f) operands)
+  end.
+
+Lemma value_mapped {L M} (f : L -> M) s v : value v (mapped f s) = value (fun leaf => v (f leaf)) s.
+Proof.
+  induction s as [leaf | ss IH | ss IH] using shape_induction; simpl; trivial;
+    induction IH as [| s ss same _ rest]; simpl; trivial; now rewrite same, rest.
+Qed.
+
 Section Membership.
 Variable L : Type.
 Implicit Types s t : shape L.
