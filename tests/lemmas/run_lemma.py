@@ -80,6 +80,12 @@ def required_lemmas(file):
 def compile_coq(file, build):
     """What coqc printed, now or when it last compiled this very text on the same grounds."""
     grounds = [compile_coq(required, build)[1] for required in required_lemmas(file)]
+    with open(build / f"{file.stem}.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # tests run side by side, and share what they require
+        return compile_on(grounds, file, build)
+
+
+def compile_on(grounds, file, build):
     copy = build / file.name
     printed = copy.with_suffix(".printed")
     text = file.read_text()
@@ -114,9 +120,7 @@ def check_coq(file, build):
     if given_up:
         raise NotProved(f"{file}: {given_up.group()}")
     build.mkdir(parents=True, exist_ok=True)
-    with open(build / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # tests run side by side, and share what they require
-        printed, _ = compile_coq(file, build)
+    printed, _ = compile_coq(file, build)
     print(printed)
     check_assumptions(file, printed)
 
