@@ -16,14 +16,14 @@ Proof.
   intros outside. destruct (evaluate (at_point p) (cell hs)) eqn:known; trivial; exfalso; apply outside;
     apply forallb_forall; intros s inside; apply in_map_iff in inside as (h & <- & inside); simpl;
     unfold contains; apply Qle_bool_iff.
-  all: destruct (Qlt_le_dec 0 (faces.delta h p)) as [out | ]; trivial.
-  all: assert (no : at_point p h = No) by (unfold at_point; destruct (Qlt_le_dec 0 (faces.delta h p)); trivial; lra).
+  all: destruct (Qlt_le_dec 0 (local_shape.delta h p)) as [out | ]; trivial.
+  all: assert (no : at_point p h = No) by (unfold at_point; destruct (Qlt_le_dec 0 (local_shape.delta h p)); trivial; lra).
   all: assert (false_ : evaluate (at_point p) (cell hs) = No)
          by (simpl; apply all_no; rewrite <- no, map_map; now apply (in_map (at_point p))).
   all: congruence.
 Qed.
 
-Lemma strictly_inside h p : faces.delta h p < 0 -> at_point p h = Yes.
+Lemma strictly_inside h p : local_shape.delta h p < 0 -> at_point p h = Yes.
 Proof. intros. unfold at_point. destruct (Qlt_le_dec 0 _); [lra |]. destruct (Qlt_le_dec _ 0); [trivial | lra]. Qed.
 
 Lemma member_or_not s p : {member s p} + {~ member s p}.
@@ -35,11 +35,11 @@ Theorem half_space_without_normal_is_constant h known : has_no_normal h = true -
 Proof.
   intros flat (p & finer). simpl. apply andb_true_iff in flat as flats. destruct flats as (flats & zero_z).
   apply andb_true_iff in flats as (zero_x & zero_y). apply Qeq_bool_eq in zero_x, zero_y, zero_z.
-  assert (level : faces.delta h p == - offset h)
-    by (unfold faces.delta, dot; rewrite zero_x, zero_y, zero_z; ring).
+  assert (level : local_shape.delta h p == - offset h)
+    by (unfold local_shape.delta, dot; rewrite zero_x, zero_y, zero_z; ring).
   assert (at_p : at_point p h = if Qlt_le_dec (offset h) 0 then No else Yes).
   { unfold at_point. rewrite flat.
-    destruct (Qlt_le_dec 0 _), (Qlt_le_dec (offset h) 0), (Qlt_le_dec (faces.delta h p) 0); trivial; lra. }
+    destruct (Qlt_le_dec 0 _), (Qlt_le_dec (offset h) 0), (Qlt_le_dec (local_shape.delta h p) 0); trivial; lra. }
   rewrite <- at_p. apply finer. rewrite at_p. now destruct (Qlt_le_dec (offset h) 0).
 Qed.
 
@@ -53,7 +53,7 @@ Qed.
 
 (* buried_parts: every point of the cell is strictly inside a half-space of the union. *)
 Theorem buried_cell_can_go hs g before after : In (Leaf g) (before ++ after) ->
-  (forall p, member (cell hs) p -> faces.delta g p < 0) ->
+  (forall p, member (cell hs) p -> local_shape.delta g p < 0) ->
   alike somewhere (Union (before ++ cell hs :: after)) (Union (before ++ after)).
 Proof.
   intros ground buried. apply union_drops. intros known (p & finer).
@@ -65,7 +65,7 @@ Qed.
 
 (* redundant_half_spaces: every point of the other half-spaces is strictly inside this one. *)
 Theorem redundant_half_space_can_go h before after :
-  (forall p, member (cell (before ++ after)) p -> faces.delta h p < 0) ->
+  (forall p, member (cell (before ++ after)) p -> local_shape.delta h p < 0) ->
   alike somewhere (cell (before ++ h :: after)) (cell (before ++ after)).
 Proof.
   intros redundant. unfold cell. rewrite !map_app. simpl. apply intersection_drops. intros known (p & finer).
@@ -96,7 +96,7 @@ Qed.
 Theorem alike_have_the_same_points s t p : alike somewhere s t -> (member s p <-> member t p).
 Proof.
   intros a. unfold member. rewrite (alike_values s t (contains p) a); [tauto |]. exists p. intros h open.
-  unfold at_point, contains in *. destruct (Qlt_le_dec 0 (faces.delta h p)) as [out | not_out].
+  unfold at_point, contains in *. destruct (Qlt_le_dec 0 (local_shape.delta h p)) as [out | not_out].
   - replace (Qle_bool _ 0) with false; trivial. symmetry. apply not_true_iff_false. rewrite Qle_bool_iff. lra.
   - replace (Qle_bool _ 0) with true; [| symmetry; now apply Qle_bool_iff].
     destruct (Qlt_le_dec _ 0); trivial. now destruct (has_no_normal h).
@@ -131,7 +131,7 @@ Qed.
 
 (* Phi, by the recursive algorithm along the segment from `from` in the direction u. *)
 Definition course_of (from u : vector) (h : half_space) : course :=
-  Course (faces.number h) (faces.delta h from) (dot (normal h) u).
+  Course (local_shape.number h) (local_shape.delta h from) (dot (normal h) u).
 Definition along (from u : vector) : shape half_space -> shape course := mapped (course_of from u).
 
 Lemma is_in_along from u s l : is_in (along from u s) l <-> member s (plus from (scaled l u)).
@@ -139,8 +139,8 @@ Proof.
   unfold is_in, along, member. rewrite value_mapped. rewrite (value_extensional s _ (contains (plus from (scaled l u)))).
   - tauto.
   - intros h _. unfold holds_at, contains. apply eq_iff_eq_true. rewrite !Qle_bool_iff.
-    assert (same_delta : phi.delta (course_of from u h) l == faces.delta h (plus from (scaled l u)))
-      by (unfold phi.delta, course_of, faces.delta, dot, plus, scaled; simpl; ring).
+    assert (same_delta : recursion.delta (course_of from u h) l == local_shape.delta h (plus from (scaled l u)))
+      by (unfold recursion.delta, course_of, local_shape.delta, dot, plus, scaled; simpl; ring).
     now rewrite same_delta.
 Qed.
 
