@@ -75,6 +75,34 @@ Proof.
   - right. assert (no := point_outside_cell _ p outside). rewrite <- no. apply evaluate_refined; [assumption | congruence].
 Qed.
 
+(* Strictness matters: were Delta <= 0 enough, leaf 0, canonical at the origin, would be lost. *)
+Definition left_0 := HalfSpace 0 (Vector 1 0 0) 0.
+Definition front_1 := HalfSpace 1 (Vector 0 1 0) 0.
+Definition left_2 := HalfSpace 2 (Vector 1 0 0) 0.
+Definition origin := Vector 0 0 0.
+
+Lemma loses_leaf_0 s t : existsb (fun h => Nat.eqb (number h) 0) (standing (at_point origin) s) = true ->
+  existsb (fun h => Nat.eqb (number h) 0) (standing (at_point origin) t) = false -> ~ alike somewhere s t.
+Proof.
+  intros stands lost a. destruct (a (at_point origin)) as (_ & same_leaves); [exists origin; now intros h _ |].
+  apply existsb_exists in stands as (h & inside & is_0). apply not_true_iff_false in lost. apply lost.
+  apply existsb_exists. exists h. split; trivial. now apply same_leaves.
+Qed.
+
+Theorem touching_half_space_must_stay : (forall p, member (cell [left_2]) p -> local_shape.delta left_0 p <= 0)
+  /\ ~ alike somewhere (cell [left_0; left_2]) (cell [left_2]).
+Proof.
+  split; [| now apply loses_leaf_0]. intros p inside. unfold member in inside. simpl in inside.
+  apply andb_true_iff in inside as (inside & _). now apply Qle_bool_iff in inside.
+Qed.
+
+Theorem touching_cell_must_stay : (forall p, member (cell [left_0; front_1]) p -> local_shape.delta left_2 p <= 0)
+  /\ ~ alike somewhere (Union [cell [left_0; front_1]; Leaf left_2]) (Union [Leaf left_2]).
+Proof.
+  split; [| now apply loses_leaf_0]. intros p inside. unfold member in inside. simpl in inside.
+  apply andb_true_iff in inside as (inside & _). now apply Qle_bool_iff in inside.
+Qed.
+
 (* What alike expressions share: points, the local shape, interior points, the leaves that stand. *)
 Definition as_truth (b : bool) : truth := if b then Yes else No.
 
@@ -177,6 +205,8 @@ Print Assumptions half_space_without_normal_is_constant.
 Print Assumptions empty_cell_can_go.
 Print Assumptions buried_cell_can_go.
 Print Assumptions redundant_half_space_can_go.
+Print Assumptions touching_half_space_must_stay.
+Print Assumptions touching_cell_must_stay.
 Print Assumptions alike_have_the_same_points.
 Print Assumptions alike_have_the_same_local_shape.
 Print Assumptions alike_have_the_same_interior.
