@@ -44,8 +44,8 @@ def tool(name):
     return found
 
 
-def output_of(command):
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def output_of(command, folder=None):
+    run = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if run.returncode != 0:
         raise NotProved(run.stdout)
     return run.stdout
@@ -94,7 +94,7 @@ def compile_on(grounds, file, build):
     if not fresh:
         printed.unlink(missing_ok=True)
         copy.write_text(text)
-        result = output_of([tool("coqc"), "-q", "-Q", str(build), "Groundtruth", str(copy)])
+        result = output_of([tool("coqc"), "-q", "-Q", ".", "Groundtruth", copy.name], build)  # it leaves caches there
         printed.write_text(result)
     return printed.read_text(), printed.stat().st_mtime
 
