@@ -87,6 +87,7 @@ Definition per_size := 17 * u. (* 0x11p-53 *)
 Definition per_coordinate_error := 257 / 256. (* 0x1.01p0 *)
 Definition error_floor := bpow radix2 (-960).
 Definition error_per_normal_floor := bpow radix2 (-1000).
+Definition greatest_usable_error := bpow radix2 900.
 Definition error_per_normal X e := fl (fl (per_size * X) + fl (fl (per_coordinate_error * e) + error_per_normal_floor)).
 Definition error_bound N D X e := fl (fl (N * error_per_normal X e) + fl (fl (per_size * D) + error_floor)).
 
@@ -150,7 +151,7 @@ Hypotheses (a_is_double : is_double a) (b_is_double : is_double b).
 Hypotheses (a_near : Rabs (a - A) <= E0) (b_near : Rabs (b - B) <= E0).
 Hypotheses (a_size : Rabs a <= (1 + 5 * u) * Q + 4 * tiny) (b_size : Rabs b <= (1 + 5 * u) * Q + 4 * tiny).
 Hypotheses (E0_positive : 0 <= E0) (Q_positive : 0 <= Q).
-Hypotheses (E_enough : E0 * (1 + / 512) + 12.9 * u * Q + error_floor / 4 <= E) (E_usable : E < bpow radix2 900).
+Hypotheses (E_enough : E0 * (1 + / 512) + 12.9 * u * Q + error_floor / 4 <= E) (E_usable : E < greatest_usable_error).
 Hypothesis enters : 2 * E < slope a b.
 
 Let w := slope a b.
@@ -185,7 +186,7 @@ Qed.
 Lemma slope_in_range : w * tiny <= u / 1000000.
 Proof.
   destruct slope_facts as (w_positive & _ & _ & w_size); destruct powers as (floor & far & small); pose proof tiny_positive.
-  assert (12.9 * u * Q <= bpow radix2 900) by lra.
+  assert (12.9 * u * Q <= bpow radix2 900) by (pose proof E_usable as usable; unfold greatest_usable_error in usable; lra).
   assert (w <= bpow radix2 900 / (6 * u)).
   { apply Rle_trans with (1 := w_size).
     assert (tiny <= bpow radix2 900) by (apply Rle_trans with 1; [unfold u in *; lra | apply (bpow_le radix2 0 900); easy]).
@@ -378,7 +379,7 @@ Proof.
 Qed.
 
 (* A place s of the range lies in the half-space iff A (1 - s) + B s <= 0. *)
-Theorem crossing_is_between_limits : E < bpow radix2 900 -> forall s, 0 <= s <= 1 ->
+Theorem crossing_is_between_limits : E < greatest_usable_error -> forall s, 0 <= s <= 1 ->
   (2 * E < slope a b ->
     (A * (1 - s) + B * s <= 0 -> lower_limit E a b <= s) /\ (0 <= A * (1 - s) + B * s -> s <= upper_limit E a b)) /\
   (slope a b < - (2 * E) ->
