@@ -12,6 +12,9 @@ HEX = r"(-?0x[0-9a-fA-F.]+p[+-]?\d+)"
 
 # Source, what stands around the constant there (spaces are any space), lemma file, definition.
 CONSTANTS = [
+    ("fast/number_counted.hpp", rf"unit_of<PairWith<Products>> = {HEX};", "pair_sum.v", "pair_unit"),
+    ("fast/number_counted.hpp", rf"unit_of<double> = {HEX};", "counted.v", "u"),
+    ("fast/number_counted.hpp", rf"unit_of<Real> \* \(1 \+ {HEX}\)", "counted.v", "second_orders"),
     ("fast/cell.hpp", rf"{HEX} \* ends.greatest_coordinate\(\)", "clip_interval.v", "per_size"),
     ("fast/cell.hpp", rf"{HEX} \* offset_size", "clip_interval.v", "per_size"),
     ("fast/cell.hpp", rf"offset_size \+ {HEX}\)", "clip_interval.v", "error_floor"),
@@ -49,7 +52,7 @@ def value_in_lemma(text):
     power = re.fullmatch(r"bpow radix2 \(?(-?\d+)\)?", text)
     if power:
         return Fraction(2) ** int(power[1])
-    value = Fraction(1)
+    value = Fraction(1)  # `/ 1024` is a number too
     for sign, factor in re.findall(r"([*/]?)\s*(\w+)", text):
         number = Fraction(1, 2**53) if factor == "u" else Fraction(int(factor))
         value = value / number if sign == "/" else value * number

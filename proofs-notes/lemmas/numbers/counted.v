@@ -11,6 +11,7 @@ Open Scope R_scope.
 
 Definition second := / 1048576. (* 2^-20 *)
 Definition most_roundings := 400.
+Definition second_orders := / 1024. (* 0x1p-10 *)
 Definition u := / 9007199254740992. (* 2^-53 *)
 
 Section Counted.
@@ -32,11 +33,11 @@ Proof. intros; unfold factor, second, most_roundings in *; lra. Qed.
 
 (* The code's error(): n units of size, and 2^-10 of that. *)
 Theorem error_is_bound : forall n value size x, 0 <= n <= most_roundings -> counted n value size x ->
-  Rabs (value - x) <= n * unit * (1 + / 1024) * size.
+  Rabs (value - x) <= n * unit * (1 + second_orders) * size.
 Proof.
   intros n value size x Hn (Hs & _ & near); destruct (size_of_count n Hn) as [_ most].
   apply Rle_trans with (1 := near).
-  replace (n * unit * (1 + / 1024) * size) with (n * unit * size * (1 + / 1024)) by ring.
+  unfold second_orders; replace (n * unit * (1 + / 1024) * size) with (n * unit * size * (1 + / 1024)) by ring.
   apply Rmult_le_compat_l; [| assumption].
   apply Rmult_le_pos; [apply Rmult_le_pos |]; tauto.
 Qed.
