@@ -39,6 +39,14 @@ EXPRESSIONS = [
      "const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);"),
     ("fast/cell_kernels_body.hpp",
      "return {greater(a, b) < -error_, w > twice_error_, w < -twice_error_, middle - margin, middle + margin};"),
+    ("fast/crossing_body.hpp", "const NumberPair s0 = sum(p0.high, p1.high);"),
+    ("fast/crossing_body.hpp", "const NumberPair s1 = sum(p2.high, -offset);"),
+    ("fast/crossing_body.hpp", "const NumberPair s2 = sum(s0.high, s1.high);"),
+    ("fast/crossing_body.hpp", "const double rest = ((p0.low + p1.low) + p2.low) + ((s0.low + s1.low) + s2.low);"),
+    ("fast/number_pair.hpp", "const double sum = a + b, b_part = sum - a; return {sum, (a - (sum - b_part)) + (b - b_part)};"),
+    ("fast/number_pair.hpp", "const double sum = a + b; return {sum, b - (sum - a)};"),
+    ("fast/number_pair.hpp", "return {s.high, s.low + (a.low + b.low)};"),
+    ("fast/number_pair.hpp", "return {p.high, p.low + (a.high * b.low + a.low * b.high)};"),
     ("fast/cell.cpp", "const double inverse = 1 / w, middle = delta_at_first * inverse, margin = error * std::abs(inverse);"),
 ]
 
