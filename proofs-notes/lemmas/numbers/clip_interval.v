@@ -136,7 +136,8 @@ Proof.
     apply within in rounded; apply within in m_near.
     assert (alpha - s * delta <= eps0).
     { apply Rmult_le_reg_r with w; [assumption |]; rewrite Rmult_minus_distr_r, Rmult_assoc, <- Ha, <- Hd, <- HE0; lra. }
-    assert (s * delta <= s + (u + 2 * u * u)) by (unfold u in *; nra).
+    assert (s * delta <= s + (u + 2 * u * u)) by (apply Rle_trans with (s * (1 + (u + 2 * u * u)));
+      [apply Rmult_le_compat_l; lra | unfold u; lra]).
     assert (alpha * rho <= alpha * (1 + u * 1.00001)) by (apply Rmult_le_compat_l; lra).
     assert (eps * (1 - u * 1.00001) <= eps * rho) by (apply Rmult_le_compat_l; lra).
     unfold u in *; lra.
@@ -165,7 +166,8 @@ Proof.
     assert (- eps0 <= alpha - s * delta).
     { apply Rmult_le_reg_r with w; [assumption |]; rewrite Rmult_minus_distr_r, Rmult_assoc, <- Ha, <- Hd.
       replace (- eps0 * w) with (- E0) by (rewrite HE0; ring); lra. }
-    assert (s - (u + 2 * u * u) <= s * delta) by (unfold u in *; nra).
+    assert (s - (u + 2 * u * u) <= s * delta) by (apply Rle_trans with (s * (1 - (u + 2 * u * u)));
+      [unfold u; lra | apply Rmult_le_compat_l; lra]).
     assert (eps * (1 - u * 1.00001) <= eps * rho) by (apply Rmult_le_compat_l; lra).
     assert (s - 4 * u - eps0 * (1 + 3 * u) - tiny <= m).
     { destruct (Rle_or_lt 0 alpha) as [positive | negative].
