@@ -17,15 +17,17 @@ class Probe {
  public:
   explicit Probe(const RangeEnds& ends)
       : ends_(ends),
-        error_per_normal_(0x11p-53 * ends.greatest_coordinate() + 0x1.01p0 * ends.coordinate_error) {}
+        error_per_normal_(0x11p-53 * ends.greatest_coordinate() +
+                          (0x1.01p0 * ends.coordinate_error + 0x1p-1000)) {}
 
   const RangeEnds& ends() const { return ends_; }
 
   // Lemma clip-interval (proofs-notes/rounding.md): a bound E such that for each half-space of these sizes,
   // with a and b its Deltas at the ends as computed here, w = fl(a - b), both exact Deltas are within E of a
   // and b, and, where |w| > 2 E, its crossing in [0, 1] is within fl(E fl(1/w)) of fl(a fl(1/w)), roundings
-  // of the two limits included. It costs 12 u M of rounding and the ends' own error; 16 u and a bit more
-  // covers that. Infinite or NaN: nothing is known.
+  // of the two limits included. It costs 12 u M of rounding and the ends' own error; 17 u and a bit more
+  // covers that. 2^-1000 a coordinate makes up for 17 u times a tiny one, which underflows before it meets
+  // the normal. Infinite or NaN: nothing is known.
   double error_bound(double normal_size, double offset_size) const {
     return normal_size * error_per_normal_ + (0x11p-53 * offset_size + 0x1p-960);
   }

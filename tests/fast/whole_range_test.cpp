@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <groundtruth/fast/cell.hpp>
 #include <groundtruth/fast/clip.hpp>
 #include <groundtruth/fast/entry_point.hpp>
 #include <groundtruth/fast/step.hpp>
@@ -132,6 +133,17 @@ TEST(FastWholeRange, LambdaDoesNotDependOnUnits) {
       const EntryAnswer expected = Border{0.7, 0, {weight, 2 * weight, 0}, std::nullopt};
       EXPECT_EQ(fast::entry_point(fast::compile(Scene{{}, wedge}), ask), expected) << length << " " << weight;
     }
+}
+
+// The exact Delta here is -2.7e-27, the computed one 5.2e-26: 17 u times the coordinates, a subnormal, must
+// not be rounded to 0 before it meets the normal.
+TEST(FastWholeRange, ErrorBoundCoversHugeNormalsAtTinyCoordinates) {
+  const Vector normal{0x1.29d645b3e1595p+996, 0x1.c7295d4caa865p+995, -0x1.25b51b954e8d2p+998};
+  const Vector x{0x0.039e12b9e8e93p-1022, 0x0.03cf4efaa4c5dp-1022, 0x0.01a7b446d7599p-1022};
+  const double computed = normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
+  EXPECT_GT(computed, 5e-26);
+  const fast::Probe probe({x, x, 0});
+  EXPECT_GT(probe.error_bound(std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]), 0), computed);
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+"""The constants that fast computes with are those of the lemmas: change one and its proof must follow."""
+
+import pathlib
+import re
+import unittest
+from fractions import Fraction
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LEMMAS = ROOT / "proofs-notes" / "lemmas" / "numbers"
+
+HEX = r"(-?0x[0-9a-fA-F.]+p[+-]?\d+)"
+
+# Source, what stands around the constant there (spaces are any space), lemma file, definition.
+CONSTANTS = [
+    ("fast/number_counted.hpp", rf"unit_of<PairWith<Products>> = {HEX};", "pair_sum.v", "pair_unit"),
+    ("fast/number_counted.hpp", rf"unit_of<double> = {HEX};", "counted.v", "u"),
+    ("fast/number_counted.hpp", rf"unit_of<Real> \* \(1 \+ {HEX}\)", "counted.v", "second_orders"),
+    ("fast/cell.hpp", rf"{HEX} \* ends.greatest_coordinate\(\)", "delta_error.v", "per_size"),
+    ("fast/cell.hpp", rf"{HEX} \* offset_size", "delta_error.v", "per_size"),
+    ("fast/cell.hpp", rf"offset_size \+ {HEX}\)", "delta_error.v", "error_floor"),
+    ("fast/cell.hpp", rf"{HEX} \* ends.coordinate_error", "delta_error.v", "per_coordinate_error"),
+    ("fast/cell.hpp", rf"ends.coordinate_error \+ {HEX}\)", "delta_error.v", "error_per_normal_floor"),
+    ("fast/cell.hpp", rf"greatest_usable_error = {HEX};", "delta_error.v", "greatest_usable_error"),
+    ("fast/range_ends.hpp", rf"{HEX} \* \(std::abs\(lambda\)", "range_ends.v", "per_end"),
+    ("fast/range_ends.hpp", rf"std::abs\(from\)\) \+ {HEX}\)", "range_ends.v", "floor"),
+    ("fast/paint.cpp", rf"{HEX} \* \(std::abs\(x\) \+ std::abs\(y\)\)", "range_ends.v", "per_hit"),
+    ("fast/paint.cpp", rf"{HEX} \* probe.ends\(\).coordinate_error", "range_ends.v", "per_coordinate_error"),
+    ("fast/paint.cpp", rf"coordinate_error \+ {HEX};", "range_ends.v", "floor"),
+]
+
+# Expressions that the lemmas are about, as they stand in the source: a changed operation needs another proof.
+EXPRESSIONS = [
+    ("fast/cell.hpp", "return normal_size * error_per_normal_ + (0x11p-53 * offset_size + 0x1p-960);"),
+    ("fast/range_ends.hpp", "return from + lambda * (to - from);"),
+    ("fast/cell_kernels_body.hpp", "x * first_x_ + y * first_y_ + z * first_z_ - offset"),
+    ("fast/cell_kernels_body.hpp", "x * last_x_ + y * last_y_ + z * last_z_ - offset"),
+    ("fast/cell_kernels_body.hpp", "const Lanes w = a - b, inverse = Lanes::all(1) / w;"),
+    ("fast/cell_kernels_body.hpp",
+     "const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);"),
+    ("fast/cell_kernels_body.hpp",
+     "return {greater(a, b) < -error_, w > twice_error_, w < -twice_error_, middle - margin, middle + margin};"),
+    ("fast/crossing_body.hpp", "const NumberPair s0 = sum(p0.high, p1.high);"),
+    ("fast/crossing_body.hpp", "const NumberPair s1 = sum(p2.high, -offset);"),
+    ("fast/crossing_body.hpp", "const NumberPair s2 = sum(s0.high, s1.high);"),
+    ("fast/crossing_body.hpp", "const double rest = ((p0.low + p1.low) + p2.low) + ((s0.low + s1.low) + s2.low);"),
+    ("fast/number_pair.hpp", "const double sum = a + b, b_part = sum - a; return {sum, (a - (sum - b_part)) + (b - b_part)};"),
+    ("fast/number_pair.hpp", "const double sum = a + b; return {sum, b - (sum - a)};"),
+    ("fast/number_pair.hpp", "return {s.high, s.low + (a.low + b.low)};"),
+    ("fast/number_pair.hpp", "return {p.high, p.low + (a.high * b.low + a.low * b.high)};"),
+    ("fast/cell.cpp", "const double inverse = 1 / w, middle = delta_at_first * inverse, margin = error * std::abs(inverse);"),
+]
+
+
+def value_of_hex(text):
+    return Fraction(float.fromhex(text))
+
+
+def value_in_lemma(text):
+    """Of `17 * u`, `257 / 256`, `bpow radix2 (-960)`."""
+    power = re.fullmatch(r"bpow radix2 \(?(-?\d+)\)?", text)
+    if power:
+        return Fraction(2) ** int(power[1])
+    value = Fraction(1)  # `/ 1024` is a number too
+    for sign, factor in re.findall(r"([*/]?)\s*(\w+)", text):
+        number = Fraction(1, 2**53) if factor == "u" else Fraction(int(factor))
+        value = value / number if sign == "/" else value * number
+    return value
+
+
+def one_space(text):
+    return re.sub(r"\s+", " ", text)
+
+
+class Constants(unittest.TestCase):
+    def test_constants_are_those_of_the_lemmas(self):
+        for source, around, lemma, name in CONSTANTS:
+            with self.subTest(source=source, name=name):
+                found = re.findall(around, one_space((ROOT / source).read_text()))
+                self.assertTrue(found, f"{source}: nothing reads like {around}")
+                defined = re.search(rf"Definition {name} := ([^.]*)\.", (LEMMAS / lemma).read_text())
+                self.assertTrue(defined, f"{lemma}: no definition of {name}")
+                for text in found:
+                    self.assertEqual(value_of_hex(text), value_in_lemma(defined[1]),
+                                     f"{source}: {text}, but {lemma}: {name} := {defined[1]}")
+
+    def test_expressions_are_those_of_the_lemmas(self):
+        for source, expression in EXPRESSIONS:
+            with self.subTest(source=source):
+                self.assertIn(one_space(expression), one_space((ROOT / source).read_text()))
+
+    def test_numbers_of_lemmas_are_read(self):
+        self.assertEqual(value_in_lemma("17 * u"), Fraction(17, 2**53))
+        self.assertEqual(value_in_lemma("257 / 256"), value_of_hex("0x1.01p0"))
+        self.assertEqual(value_in_lemma("bpow radix2 (-960)"), value_of_hex("0x1p-960"))
+
+
+if __name__ == "__main__":
+    unittest.main()
