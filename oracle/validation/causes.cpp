@@ -74,7 +74,7 @@ Causes causes_of(const std::vector<Failure>& failures, const std::vector<Failure
   const auto like = [&](const diagnosis::Failure& failure) { return questioner.like(failure); };
   for (diagnosis::Group& group : diagnosis::gather(told, like, budget)) {
     const Failure& first = failures[group.members.front()];
-    const cases::Case& smallest = group.representative.smallest;
+    const cases::Case smallest = group.representative.smallest;
     const bool is_hung = first.finding.outcome == Outcome::hung;
     causes.groups.push_back(
         {std::move(group), is_hung ? first : Failure{0, smallest, questioner.ask(smallest)}});
