@@ -64,6 +64,11 @@ class ObjectReader {
   Origin origin_;
 };
 
+// A line of a log that bears no case: head, cause, diagnosis or summary.
+inline bool is_about_the_run(const ObjectReader& line) {
+  return line.has("groundtruth") || line.has("cause") || line.has("diagnosis") || line.has("summary");
+}
+
 // A JSON string that says this.
 std::string quoted(std::string_view text);
 

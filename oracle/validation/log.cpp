@@ -115,7 +115,7 @@ Log read_log(const std::string& file) {
     const ObjectReader reader(lines[i], origin);
     if (reader.has("summary")) {
       log.summary = summary_in(lines[i], origin);
-    } else if (!reader.has("cause") && !reader.has("diagnosis")) {
+    } else if (!is_about_the_run(reader)) {
       log.records.push_back(read_record(lines[i], origin));
     }
   }

@@ -48,7 +48,7 @@ std::vector<cases::Case> cases_in(const std::string& file) {
     const ObjectReader reader(lines[i], origin);
     if (reader.has("case")) {
       found.push_back(case_of(read_record(lines[i], origin), origin));
-    } else if (!reader.has("groundtruth") && !reader.has("summary")) {
+    } else if (!is_about_the_run(reader)) {
       if (auto asked = asks.read(lines[i], origin)) found.push_back(std::move(*asked));
     }
   }
