@@ -151,7 +151,7 @@ TEST(BuiltinScenarios, SeamTouchesDownOnTheSeamToTheLastBit) {
   const auto touch = std::find_if(run.states.begin(), run.states.end(),
                                   [](const MotionState& state) { return !is_airborne(state); });
   ASSERT_NE(touch, run.states.end());
-  for (const std::size_t wheel : {1, 2}) {
+  for (const std::size_t wheel : {1u, 2u}) {
     ASSERT_NE(contact_of(touch->wheels[wheel]), nullptr);
     EXPECT_EQ(contact_of(touch->wheels[wheel])->pebble_in_world[0], 0);
   }

@@ -208,8 +208,8 @@ Scenario in_units(const Scenario& scenario, const Units& units) {
     for (double* z : {&wheel.z_min, &wheel.z_zero, &wheel.z_max}) *z *= length;
   }
   other.start = in_units(scenario.start, units);
-  other.scene.shape = changed(scenario.scene.shape, [&](const HalfSpace& half) {
-    return HalfSpace{half.normal, half.offset * length};
+  other.scene.shape = changed(scenario.scene.shape, [metres = length](const HalfSpace& half) {
+    return HalfSpace{half.normal, half.offset * metres};
   });
   other.inputs.brake = times(scenario.inputs.brake, force, time);
   other.inputs.steering = times(scenario.inputs.steering, 1, time);
