@@ -18,7 +18,8 @@ std::optional<std::uint64_t> period_found(std::uint64_t lead, std::uint64_t roun
 
 TEST(Recurrence, FindsTheShortestRound) {
   for (const std::uint64_t lead : {0u, 1u, 5u, 100u})
-    for (const std::uint64_t round : {1u, 2u, 3u, 17u, 64u}) EXPECT_EQ(period_found(lead, round, 2000), round);
+    for (const std::uint64_t round : {1u, 2u, 3u, 17u, 64u})
+      EXPECT_EQ(period_found(lead, round, 2000), round);
 }
 
 TEST(Recurrence, SeesNoneInAMotionThatGoesOn) { EXPECT_EQ(period_found(100000, 1, 5000), std::nullopt); }
