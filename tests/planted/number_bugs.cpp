@@ -35,8 +35,11 @@ double nearly_one_is_one(double lambda, const EntryAsk&) { return std::abs(lambd
 // The right face, lambda from its distances at both ends in doubles.
 EntryAnswer lambda_in_doubles(const Meeting& meeting) {
   if (meeting.at_start) return meeting.border;
-  const auto& [n, d] = meeting.half_space(meeting.border.leaf);
-  const auto distance = [&](const Vector& x) { return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d; };
+  const HalfSpace& plane = meeting.half_space(meeting.border.leaf);
+  const auto distance = [&](const Vector& x) {
+    const Vector& n = plane.normal;
+    return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - plane.offset;
+  };
   const double near = distance(meeting.ask.from);
   const double lambda = near / (near - distance(meeting.ask.to));
   if (!std::isfinite(lambda)) return meeting.border;
