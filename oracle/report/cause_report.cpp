@@ -13,11 +13,6 @@ std::string in_words(const diagnosis::Size& size) {
                      size.numbers);
 }
 
-std::string in_brief(const std::string& text) {
-  constexpr std::size_t most = 600;
-  return text.size() <= most ? text : fmt::format("{}... ({} bytes)", text.substr(0, most), text.size());
-}
-
 std::string paragraph_of(const Cause& cause, const ReplayCommand& replay_command) {
   const diagnosis::Shrunk& shrunk = cause.group.representative;
   const Record record = record_of(cause.smallest);

@@ -46,12 +46,12 @@ std::string title_of(const Record& record) {
   return title;
 }
 
+}  // namespace
+
 std::string in_brief(const std::string& text) {
   constexpr std::size_t most = 600;
   return text.size() <= most ? text : fmt::format("{}... ({} bytes)", text.substr(0, most), text.size());
 }
-
-}  // namespace
 
 std::string table_of(const Tally& tally) {
   std::string table = fmt::format("{:<6} {:>10} {:>9} {:>9} {:>9} {:>9} {:>11} {:>9}\n", "ask", "judged",

@@ -17,6 +17,9 @@ std::string table_of(const validation::Tally& tally);
 using ReplayCommand = std::function<std::string(const std::string& id)>;
 std::string failures_of(const std::vector<validation::Record>& records, const ReplayCommand& replay_command);
 
+// The text, or the start of a long one and its length.
+std::string in_brief(const std::string& text);
+
 // As JUnit's XML: a suite a kind of ask; a test for each failure, and one for all asks that were accepted.
 std::string junit_of(const validation::Tally& tally, const std::vector<validation::Record>& records);
 
