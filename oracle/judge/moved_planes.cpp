@@ -1,5 +1,6 @@
 #include "moved_planes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -17,8 +18,20 @@ bool is_far_enough(double offset, const HalfSpace& leaf, double metres) {
   return right_side && moved * moved >= rational(metres) * rational(metres) * dot(normal, normal);
 }
 
-Shape moved(const HalfSpace& leaf, double metres) {
-  if (leaf.normal == Vector{}) return {leaf};
+// The same half-space with a normal about as long as 1, as an ulp of a tiny offset may be metres.
+HalfSpace without_tiny_numbers(const HalfSpace& leaf) {
+  const Vector& n = leaf.normal;
+  const double longest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+  if (longest > 0x1p-900) return leaf;
+  const int power = -std::ilogb(longest);
+  const auto larger = [&](double number) { return std::scalbn(number, power); };
+  const HalfSpace scaled{{larger(n[0]), larger(n[1]), larger(n[2])}, larger(leaf.offset)};
+  return std::isfinite(scaled.offset) ? scaled : leaf;
+}
+
+Shape moved(const HalfSpace& given, double metres) {
+  if (given.normal == Vector{}) return {given};
+  const HalfSpace leaf = without_tiny_numbers(given);
   const double outwards = std::copysign(std::numeric_limits<double>::infinity(), metres);
   double offset = leaf.offset + metres * std::hypot(leaf.normal[0], leaf.normal[1], leaf.normal[2]);
   while (std::isfinite(offset) && !is_far_enough(offset, leaf, metres))
