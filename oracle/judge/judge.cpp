@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "finite.hpp"
 #include "weigh.hpp"
 #include "wording.hpp"
 
@@ -16,6 +17,13 @@ Verdict not_of_this_kind(const Answer& got, const Answer& exact) {
   Verdict verdict;
   verdict.difference = refusal_in(got) != nullptr ? Difference::refusal : Difference::state;
   verdict.explanation = fmt::format("{} -> {}", kind_in_words(got), kind_in_words(exact));
+  return verdict;
+}
+
+Verdict not_finite(const Answer& got) {
+  Verdict verdict;
+  verdict.difference = Difference::numbers;
+  verdict.explanation = fmt::format("{} with a number that is not finite", kind_in_words(got));
   return verdict;
 }
 
@@ -63,8 +71,9 @@ Judge::~Judge() = default;
 Verdict Judge::judge(const Ask& ask, const Answer& got) const {
   const Answered exact = scales_->answer(ask);
   const Answer answer = as_answer_to(ask, got);
-  Verdict verdict = answer.index() == ask.index() ? std::visit(Weigh(*scales_, ask, exact), answer)
-                                                  : not_of_this_kind(answer, exact.answer);
+  Verdict verdict = !has_only_finite_numbers(answer) ? not_finite(answer)
+                    : answer.index() == ask.index()  ? std::visit(Weigh(*scales_, ask, exact), answer)
+                                                     : not_of_this_kind(answer, exact.answer);
   verdict.exact = exact.answer;
   verdict.evidence = exact.evidence;
   return verdict;

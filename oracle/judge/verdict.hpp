@@ -53,7 +53,7 @@ class Judge {
   Judge(Judge&&) noexcept;
   ~Judge();
 
-  // `got` answers `ask`; a Refusal may stand for any kind of ask.
+  // `got` answers `ask`; a Refusal may stand for any kind of ask. A number that is not finite is wrong.
   Verdict judge(const Ask& ask, const Answer& got) const;
 
  private:

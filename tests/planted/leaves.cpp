@@ -1,7 +1,6 @@
 #include "leaves.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace groundtruth::planted {
 namespace {
@@ -38,21 +37,16 @@ std::vector<PlacedLeaf> leaves_of(const Shape& shape) {
   return std::move(collect.leaves);
 }
 
-int side_of(const HalfSpace& half_space, const Numbers& point) {
-  Number sum = -Number(half_space.offset);
-  Number size = abs(sum);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Number term = half_space.normal[axis] * point[axis];
-    sum += term;
-    size += abs(term);
-  }
-  return compare(sum, 0, size);
+int side_of(const HalfSpace& half_space, const Place& point) {
+  Rational height = -Rational(half_space.offset);
+  for (std::size_t axis = 0; axis < 3; ++axis) height += Rational(half_space.normal[axis]) * point[axis];
+  return height.sign();
 }
 
-bool contains(const Shape& shape, const Numbers& point) {
+bool contains(const Shape& shape, const Place& point) {
   const auto holds_it = [&](const Shape& operand) { return contains(operand, point); };
   struct Holds {
-    const Numbers& point;
+    const Place& point;
     const decltype(holds_it)& operand_holds_it;
     bool operator()(const Everything&) const { return true; }
     bool operator()(const Nothing&) const { return false; }
@@ -69,7 +63,7 @@ bool contains(const Shape& shape, const Numbers& point) {
   return std::visit(Holds{point, holds_it}, shape.expression);
 }
 
-std::optional<MaterialIndex> material_of(const PlacedLeaf& leaf, const Numbers& point) {
+std::optional<MaterialIndex> material_of(const PlacedLeaf& leaf, const Place& point) {
   for (const Shape* shape : leaf.around) {
     if (const auto* covered = std::get_if<Covered>(&shape->expression)) return covered->material;
     const auto* painted = std::get_if<Painted>(&shape->expression);

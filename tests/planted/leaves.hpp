@@ -20,11 +20,11 @@ struct PlacedLeaf {
 std::vector<PlacedLeaf> leaves_of(const Shape& shape);
 
 // -1, 0, 1: the point lies in the half-space's interior, on its plane, outside.
-int side_of(const HalfSpace& half_space, const Numbers& point);
+int side_of(const HalfSpace& half_space, const Place& point);
 
-bool contains(const Shape& shape, const Numbers& point);
+bool contains(const Shape& shape, const Place& point);
 
 // SPEC section 2.
-std::optional<MaterialIndex> material_of(const PlacedLeaf& leaf, const Numbers& point);
+std::optional<MaterialIndex> material_of(const PlacedLeaf& leaf, const Place& point);
 
 }  // namespace groundtruth::planted

@@ -16,7 +16,7 @@ EntryAnswer colored(const Meeting& meeting) {
   return border;
 }
 
-std::optional<MaterialIndex> first_along(const std::vector<const Shape*>& around, const Numbers& point) {
+std::optional<MaterialIndex> first_along(const std::vector<const Shape*>& around, const Place& point) {
   return material_of({HalfSpace{}, around}, point);
 }
 
@@ -44,11 +44,11 @@ std::optional<MaterialIndex> outermost_paint_only(const Meeting& meeting, const 
 }
 
 std::optional<MaterialIndex> region_at_from(const Meeting& meeting, const PlacedLeaf& leaf) {
-  return material_of(leaf, numbers(meeting.ask.from));
+  return material_of(leaf, place(meeting.ask.from));
 }
 
 std::optional<MaterialIndex> region_on_the_map(const Meeting& meeting, const PlacedLeaf& leaf) {
-  return material_of(leaf, {meeting.point[0], meeting.point[1], Number(0)});
+  return material_of(leaf, {meeting.point[0], meeting.point[1], Rational(0)});
 }
 
 // A point on a plane of a region lies outside of it.

@@ -4,27 +4,15 @@
 #include <cmath>
 
 namespace groundtruth::planted {
-namespace {
-
-using Integer = boost::multiprecision::cpp_int;
-
-// "1/4" or "1".
-Number read_fraction(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) return Number(Integer(text));
-  return Number(Integer(text.substr(0, slash))) / Number(Integer(text.substr(slash + 1)));
-}
-
-}  // namespace
-
 Meeting::Meeting(const Right& right_answers, const EntryAsk& one_ask, const Border& right_border)
     : right(right_answers), ask(one_ask), border(right_border) {
   const Evidence evidence = right.evidence(ask);
   admissible = evidence.admissible;
-  const Number lambda = read_fraction(evidence.lambda_exact);
-  const Numbers from = numbers(ask.from);
-  point = from + lambda * (numbers(ask.to) - from);
-  at_start = compare(lambda, ask.lambda_first) == 0;
+  const Rational lambda(evidence.lambda_exact);
+  const Place from = place(ask.from);
+  const Place to = place(ask.to);
+  for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = from[axis] + lambda * (to[axis] - from[axis]);
+  at_start = lambda == Rational(ask.lambda_first);
 }
 
 std::vector<Leaf> Meeting::tied() const {

@@ -15,7 +15,7 @@ class Meeting {
   const EntryAsk& ask;
   const Border& border;          // the right answer
   std::vector<Leaf> admissible;  // ascending
-  Numbers point;                 // x(lambda*)
+  Place point;                   // x(lambda*)
   bool at_start;                 // lambda* = lambda_first
 
   // The leaves whose planes hold the point, admissible or not.

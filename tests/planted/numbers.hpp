@@ -1,9 +1,11 @@
 #pragma once
-// Numbers of 50 digits, long enough that what is equal exactly can be told from what is an ulp apart.
+// Numbers of 50 digits, long enough that what is equal exactly can be told from what is an ulp apart, and
+// places that are exact.
 
 #include <array>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <groundtruth/problem/vector.hpp>
 
@@ -12,6 +14,13 @@ namespace groundtruth::planted {
 using Number =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 using Numbers = std::array<Number, 3>;
+
+using Rational = boost::multiprecision::cpp_rational;
+using Place = std::array<Rational, 3>;
+
+inline Place place(const Vector& vector) {
+  return {Rational(vector[0]), Rational(vector[1]), Rational(vector[2])};
+}
 
 // -1, 0, 1 as a is less, equal, greater. What differs by less than 10^-35 of `scale` is equal.
 inline int compare(const Number& a, const Number& b, const Number& scale) {
@@ -24,7 +33,8 @@ inline int compare(const Number& a, const Number& b) { return compare(a, b, abs(
 inline Numbers numbers(const Vector& vector) {
   return {Number(vector[0]), Number(vector[1]), Number(vector[2])};
 }
-inline Vector doubles(const Numbers& a) {
+template <typename Long>
+Vector doubles(const std::array<Long, 3>& a) {
   return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
 

@@ -9,8 +9,11 @@ EntryAnswer answer_of(const std::optional<Hit>& hit, const EntryAsk& ask, const 
   if (hit->face == nullptr) return Inside{lambda};
   Leaf leaf = 0;
   while (&std::get<HalfSpace>(right.leaves()[leaf].around.back()->expression) != hit->face) ++leaf;
-  const Numbers from = numbers(ask.from);
-  const Numbers point = from + Number(lambda) * (numbers(ask.to) - from);
+  const Place from = place(ask.from);
+  const Place to = place(ask.to);
+  Place point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    point[axis] = from[axis] + Rational(lambda) * (to[axis] - from[axis]);
   return Border{lambda, leaf, hit->face->normal, material_of(right.leaves()[leaf], point)};
 }
 

@@ -14,9 +14,10 @@
 #include <groundtruth/cases/ask_source.hpp>
 #include <groundtruth/cases/builtin_scenes.hpp>
 #include <groundtruth/cases/random.hpp>
+#include <groundtruth/cases/shape_parts.hpp>
+#include <groundtruth/judge/verdict.hpp>
 #include <groundtruth/text/ask_text.hpp>
 
-#include "acceptable.hpp"
 #include "planted_engine.hpp"
 
 namespace groundtruth::planted {
@@ -33,41 +34,33 @@ struct Reached {
   Witness witness;
 };
 
-struct AskedAlready {
-  cases::GeneratedAsk generated;
-  implementations::Answered exact;
-};
-
-// The asks about one scene of those built in, with their answers.
+// The asks about one scene of those built in.
 class Part {
  public:
-  Part(const Scene& scene, std::uint64_t seed, std::size_t count) : right_(scene) {
-    const auto exact = implementations::make_engine("exact")->on(scene);
+  Part(const Scene& scene, std::uint64_t seed, std::size_t count) : scene_(scene), judge_(scene, {}) {
     cases::AskSource source(scene, seed);
-    for (std::size_t i = 0; i < count; ++i) {
-      cases::GeneratedAsk generated = source.next();
-      asked_.push_back({generated, exact->answer(generated.ask)});
-    }
+    for (std::size_t i = 0; i < count; ++i) asked_.push_back(source.next());
   }
 
   void show(const Bug& bug, Reached& reached) const {
-    const Answering planted = bug.on(right_.scene());
-    for (const auto& [generated, exact] : asked_) {
+    const Answering planted = bug.on(scene_);
+    for (const cases::GeneratedAsk& generated : asked_) {
       if (static_cast<Kind>(generated.ask.index()) != bug.kind) continue;
-      if (is_acceptable(planted(generated.ask), exact, generated.ask, right_)) continue;
+      if (judge_.judge(generated.ask, planted(generated.ask)).is_accepted()) continue;
       ++reached.asks;
       ++reached.by_flavour[cases::name(generated.flavour)];
-      const std::size_t leaves = right_.leaves().size();
+      const std::size_t leaves = cases::leaf_count(scene_.shape);
       if (reached.witness.lines.empty() || leaves < reached.witness.leaves) {
-        reached.witness = {leaves, write_scene_line(right_.scene()) + "\n" +
+        reached.witness = {leaves, write_scene_line(scene_) + "\n" +
                                        write_ask(fmt::format("\"{}\"", bug.name), generated.ask)};
       }
     }
   }
 
  private:
-  Right right_;
-  std::vector<AskedAlready> asked_;
+  Scene scene_;
+  judge::Judge judge_;
+  std::vector<cases::GeneratedAsk> asked_;
 };
 
 std::string flavours(const Reached& reached) {
