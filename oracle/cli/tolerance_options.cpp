@@ -6,17 +6,6 @@
 #include <fmt/format.h>
 
 namespace groundtruth::cli {
-namespace {
-
-const judge::Profile& profile_named(const std::string& name) {
-  for (const judge::Profile& profile : judge::profiles()) {
-    if (profile.name == name) return profile;
-  }
-  throw std::logic_error("no profile " + name);
-}
-
-}  // namespace
-
 void add_tolerance_options(CLI::App& command, ToleranceOptions& options) {
   std::vector<std::string> names;
   for (const judge::Profile& profile : judge::profiles()) names.emplace_back(profile.name);
@@ -32,7 +21,7 @@ void add_tolerance_options(CLI::App& command, ToleranceOptions& options) {
 }
 
 judge::Tolerance tolerance_of(const ToleranceOptions& options) {
-  judge::Tolerance tolerance = profile_named(options.profile).tolerance;
+  judge::Tolerance tolerance = judge::find_profile(options.profile)->tolerance;
   if (options.metres) tolerance.metres = *options.metres;
   if (options.ulps) tolerance.lambda_ulps = *options.ulps;
   if (options.strict) tolerance.faces = judge::Faces::canonical;
@@ -44,7 +33,7 @@ std::string in_words(const ToleranceOptions& options) {
   return fmt::format(
       "profile {}: {}\nplanes {} m, lambda {} ulps, normals {} rad, decisions {}, vectors {} of their scale; "
       "{}\n",
-      options.profile, profile_named(options.profile).stands_for, tolerance.metres, tolerance.lambda_ulps,
+      options.profile, judge::find_profile(options.profile)->stands_for, tolerance.metres, tolerance.lambda_ulps,
       tolerance.normal_angle, tolerance.relative_decision, tolerance.relative_number,
       options.strict ? "the canonical face only" : "any admissible face");
 }

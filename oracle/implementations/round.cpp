@@ -78,15 +78,15 @@ void Round::unreadable(std::string_view line, const std::string& why) {
   reply({ReplyKind::unreadable, {}, {}, shortened(line), one_line(why)});
 }
 
-// Those whose asks in flight have all been asked again, and none of them crashed alone.
+// Those whose asks in flight have all been asked again, and none of them failed so alone.
 void Round::clear_suspicions() {
   std::erase_if(suspicions_, [this](const Suspicion& suspicion) {
     if (suspicion.last >= due()) return false;
     Reply& reply = replies_[suspicion.ask];
     const char* note = suspicion.last > suspicion.ask
-                           ? "; only with more asks in flight: asked one by one, none of them ends it"
-                           : "; asked first of a new process, it does not end it";
-    reply = {ReplyKind::crashed, {}, {}, std::move(reply.text), suspicion.how + note};
+                           ? "; only with more asks in flight, not when they are asked one by one"
+                           : "; not when it is asked first of a new process";
+    reply = {suspicion.kind, {}, {}, std::move(reply.text), suspicion.how + note};
     return true;
   });
 }

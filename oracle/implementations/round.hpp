@@ -29,6 +29,7 @@ class Round {
   struct Suspicion {
     std::size_t ask;
     std::size_t last;  // in flight
+    ReplyKind kind;    // crashed or hung
     std::string how;
   };
 
@@ -53,6 +54,7 @@ class Round {
   void on_long_line();
   void on_end();
   void on_silence();
+  void blame_due_ask(ReplyKind kind, const std::string& how);
   std::string hint_at_silence();
   void after_failure(int weight);
 

@@ -26,13 +26,17 @@ void Round::on_end() {
   connection_.lose();
   const bool is_its_own_doing = said_ - due() <= 1 && answered_ == 0;
   if (is_its_own_doing) {
-    // An ask that crashes alone also explains the crash that led here.
-    std::erase_if(suspicions_, [this](const Suspicion& suspicion) { return suspicion.last >= due(); });
-    reply({ReplyKind::crashed, {}, {}, {}, how});
+    blame_due_ask(ReplyKind::crashed, how);
   } else {
-    suspicions_.push_back({due(), said_ - 1, how});
+    suspicions_.push_back({due(), said_ - 1, ReplyKind::crashed, how});
   }
   after_failure(weight_of_crash);
+}
+
+void Round::blame_due_ask(ReplyKind kind, const std::string& how) {
+  // An ask that fails alone also explains the failure that led here.
+  std::erase_if(suspicions_, [this](const Suspicion& suspicion) { return suspicion.last >= due(); });
+  reply({kind, {}, {}, {}, how});
 }
 
 // Ends its input, to see whether the answer was only waiting in a buffer.
@@ -59,7 +63,12 @@ void Round::on_silence() {
   const auto waited = std::to_string(connection_.patience().per_ask.count());
   const std::string detail = "no answer within " + waited + " ms" + hint_at_silence();
   connection_.lose();
-  reply({ReplyKind::hung, {}, {}, {}, detail});
+  const bool is_its_own_doing = said_ - due() <= 1;
+  if (is_its_own_doing) {
+    blame_due_ask(ReplyKind::hung, detail);
+  } else {
+    suspicions_.push_back({due(), said_ - 1, ReplyKind::hung, detail});
+  }
   after_failure(weight_of_silence);
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <groundtruth/judge/verdict.hpp>
 
 namespace groundtruth::judge {
@@ -19,6 +21,12 @@ const std::vector<Profile>& profiles() {
        "what nobody sees: 1 mm, one in a thousand, 2 degrees",
        {1e-3, 0x1p+33, 0.035, 1e-3, 1e-3, Faces::any_admissible}}};
   return all;
+}
+
+const Profile* find_profile(std::string_view name) {
+  const auto found = std::find_if(profiles().begin(), profiles().end(),
+                                  [&](const Profile& profile) { return profile.name == name; });
+  return found == profiles().end() ? nullptr : &*found;
 }
 
 }  // namespace groundtruth::judge

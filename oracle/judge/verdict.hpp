@@ -33,6 +33,7 @@ struct Profile {
 };
 
 const std::vector<Profile>& profiles();
+const Profile* find_profile(std::string_view name);  // null: there is none of this name
 
 struct Verdict {
   Difference difference = Difference::none;  // none: accepted

@@ -44,7 +44,7 @@ class Questioner {
 bool is_safe_from_rounding(const diagnosis::Witness& witness) {
   static const auto doubles = implementations::make_engine("double");
   const Answer answer = doubles->on(witness.asked.scene)->answer(witness.asked.ask).answer;
-  return judge::Judge(witness.asked.scene, judge::profiles()[1].tolerance)
+  return judge::Judge(witness.asked.scene, judge::find_profile("double")->tolerance)
       .judge(witness.asked.ask, answer)
       .is_accepted();
 }

@@ -58,41 +58,43 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"crashes-in-mid-line", "aacaaa", "in the middle of a line: {\"id\""},  //
                     Expected{"hangs-at-once", "hhhhhh", "flush"},                                   //
                     Expected{"hangs-at-poison", "aahaaa", "no answer within 800 ms"},               //
-                    Expected{"stops-at-poison", "aahaaa", "no answer within 800 ms"},               //
-                    Expected{"answers-late", "aahaaa", "is it slow"},                               //
-                    Expected{"never-flushes", "hhhhhh", "flush"},                                   //
-                    Expected{"floods-output", "aauaaa", "longer than"},                             //
-                    Expected{"floods-lines", "aahaaa", "no answer"},                                //
-                    Expected{"floods-errors", "aaaaaa", ""},                                        //
-                    Expected{"says-garbage", "aauaaa", "not JSON"},                                 //
-                    Expected{"says-garbage-too", "aauaaa", "not JSON"},                             //
-                    Expected{"says-utf16", "aauaaa", "NUL"},                                        //
-                    Expected{"says-binary", "aauaaa", ""},                                          //
-                    Expected{"says-nan", "aauaaa", "not JSON"},                                     //
-                    Expected{"says-1e999", "aauaaa", "answer.lambda: 1e999 lies outside"},          //
-                    Expected{"repeats-keys", "aauaaa", "answer"},                                   //
-                    Expected{"nests-deeply", "aauaaa", "nested deeper"},                            //
-                    Expected{"names-no-leaf", "aauaaa", "answer.leaf: -1"},                         //
-                    Expected{"gives-other-id", "aauaaa", "its id, \"b1\", is none of those"},       //
-                    Expected{"refuses", "aaraaa", "too hard for me"},                               //
-                    Expected{"swaps-answers", "uauaua", "out of order"},                            //
-                    Expected{"skips-poison", "aauaaa", "out of order"},                             //
-                    Expected{"answers-twice", "aauaaa", "answered again"},                          //
-                    Expected{"answers-too-many", "aaauaa", "its id, \"c1\", is none of those"},     //
-                    Expected{"stops-after-two", "aacaca", "exited with code 0"},                    //
-                    Expected{"answers-before", "uaaaaa", "before it was asked came"},               //
-                    Expected{"closes-output", "aacaaa", "closed its standard output"},              //
-                    Expected{"closes-input", "aaahaa", "no answer"},                                //
-                    Expected{"ignores-the-end", "aaaaaa", ""},                                      //
-                    Expected{"drips", "aaaaaa", ""},                                                //
-                    Expected{"claims-unknown-kinds", "aaaaaa", ""},                                 //
-                    Expected{"has-huge-name", "aaaaaa", ""},                                        //
-                    Expected{"greets-strangely", "aaaaaa", ""},                                     //
-                    Expected{"knows-no-hello", "aaaaaa", ""},                                       //
-                    Expected{"prints-a-banner", "uaaaaa", "Welcome!"},                              //
-                    Expected{"dies-of-hello", "aaaaaa", ""},                                        //
-                    Expected{"leaves-daemons", "aaaaaa", ""},                                       //
-                    Expected{"leaves-daemon-and-crashes", "aacaaa", "signal 11"},                   //
+                    Expected{"hangs-with-answers-kept", "aahaaa", "no answer within 800 ms"},
+                    Expected{"hangs-in-batches", "haaaaa", "only with more asks in flight"},
+                    Expected{"stops-at-poison", "aahaaa", "no answer within 800 ms"},            //
+                    Expected{"answers-late", "aahaaa", "is it slow"},                            //
+                    Expected{"never-flushes", "hhhhhh", "flush"},                                //
+                    Expected{"floods-output", "aauaaa", "longer than"},                          //
+                    Expected{"floods-lines", "aahaaa", "no answer"},                             //
+                    Expected{"floods-errors", "aaaaaa", ""},                                     //
+                    Expected{"says-garbage", "aauaaa", "not JSON"},                              //
+                    Expected{"says-garbage-too", "aauaaa", "not JSON"},                          //
+                    Expected{"says-utf16", "aauaaa", "NUL"},                                     //
+                    Expected{"says-binary", "aauaaa", ""},                                       //
+                    Expected{"says-nan", "aauaaa", "not JSON"},                                  //
+                    Expected{"says-1e999", "aauaaa", "answer.lambda: 1e999 lies outside"},       //
+                    Expected{"repeats-keys", "aauaaa", "answer"},                                //
+                    Expected{"nests-deeply", "aauaaa", "nested deeper"},                         //
+                    Expected{"names-no-leaf", "aauaaa", "answer.leaf: -1"},                      //
+                    Expected{"gives-other-id", "aauaaa", "its id, \"b1\", is none of those"},    //
+                    Expected{"refuses", "aaraaa", "too hard for me"},                            //
+                    Expected{"swaps-answers", "uauaua", "out of order"},                         //
+                    Expected{"skips-poison", "aauaaa", "out of order"},                          //
+                    Expected{"answers-twice", "aauaaa", "answered again"},                       //
+                    Expected{"answers-too-many", "aaauaa", "its id, \"c1\", is none of those"},  //
+                    Expected{"stops-after-two", "aacaca", "exited with code 0"},                 //
+                    Expected{"answers-before", "uaaaaa", "before it was asked came"},            //
+                    Expected{"closes-output", "aacaaa", "closed its standard output"},           //
+                    Expected{"closes-input", "aaahaa", "no answer"},                             //
+                    Expected{"ignores-the-end", "aaaaaa", ""},                                   //
+                    Expected{"drips", "aaaaaa", ""},                                             //
+                    Expected{"claims-unknown-kinds", "aaaaaa", ""},                              //
+                    Expected{"has-huge-name", "aaaaaa", ""},                                     //
+                    Expected{"greets-strangely", "aaaaaa", ""},                                  //
+                    Expected{"knows-no-hello", "aaaaaa", ""},                                    //
+                    Expected{"prints-a-banner", "uaaaaa", "Welcome!"},                           //
+                    Expected{"dies-of-hello", "aaaaaa", ""},                                     //
+                    Expected{"leaves-daemons", "aaaaaa", ""},                                    //
+                    Expected{"leaves-daemon-and-crashes", "aacaaa", "signal 11"},                //
                     Expected{"kills-its-parent", "aacaaa", "signal 9"}),
     [](const auto& test) {
       std::string name;

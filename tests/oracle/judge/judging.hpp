@@ -1,7 +1,6 @@
 #pragma once
 // What the tests of the judge share.
 
-#include <stdexcept>
 #include <string_view>
 
 #include <groundtruth/cases/case.hpp>
@@ -17,10 +16,7 @@ inline Answer exact_answer(const Scene& scene, const Ask& ask) {
 }
 
 inline const Tolerance& tolerance_of(std::string_view profile) {
-  for (const Profile& known : profiles()) {
-    if (known.name == profile) return known.tolerance;
-  }
-  throw std::logic_error("no such profile");
+  return find_profile(profile)->tolerance;
 }
 
 inline Difference difference(const Scene& scene, const Tolerance& tolerance, const Ask& ask,

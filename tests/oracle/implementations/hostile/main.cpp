@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "program.hpp"
 
@@ -108,6 +109,17 @@ const std::map<std::string, Vice> vices = {
     {"crashes-in-mid-line", at_poison([](const Ask& ask) { say(miss(ask.id).substr(0, 9)), segfault(ask); })},
     {"hangs-at-once", sleep_for_ever},
     {"hangs-at-poison", at_poison([](const Ask&) { sleep_for_ever(); })},
+    {"hangs-with-answers-kept",
+     [] {
+       std::string kept;
+       listen([&](const Ask& ask) {
+         if (ask.is_poison) sleep_for_ever();
+         kept += miss(ask.id);
+         if (!more_is_waiting()) say(std::exchange(kept, {}));
+       });
+     }},
+    {"hangs-in-batches",
+     at_every_ask([](const Ask& ask) { more_is_waiting() ? sleep_for_ever() : answer(ask); })},
     {"stops-at-poison", at_poison([](const Ask&) { std::raise(SIGSTOP); })},
     {"answers-late", at_poison([](const Ask& ask) {
        std::this_thread::sleep_for(std::chrono::milliseconds(900));
@@ -138,8 +150,8 @@ const std::map<std::string, Vice> vices = {
     {"refuses", answers_with("{\"id\":", R"(,"error":"too hard for me"})")},
     {"swaps-answers", swap_pairs},
     {"skips-poison", at_poison([](const Ask&) {})},
-    {"answers-twice", at_poison([](const Ask& ask) { answer(ask), answer(ask); })},
-    {"answers-too-many", at_poison([](const Ask& ask) { answer(ask), say(miss("\"c1\"")); })},
+    {"answers-twice", at_poison([](const Ask& ask) { say(miss(ask.id) + miss(ask.id)); })},
+    {"answers-too-many", at_poison([](const Ask& ask) { say(miss(ask.id) + miss("\"c1\"")); })},
     {"stops-after-two", at_every_ask([](const Ask& ask) {
        answer(ask);
        if (ask.number == 2) _exit(0);
