@@ -25,17 +25,23 @@ Vector random_normal(Random& random) {
 
 ClipAsk clip_random(Random& random) {
   ClipAsk ask;
-  const double size = random.magnitude(0, 17);
+  const double size = random.one_in(4) ? random.magnitude(-30, 60) : random.magnitude(0, 17);
   ask.force_in_wheel = random_force(size, random);
   ask.normal_in_wheel = random_normal(random);
   ask.friction = random.one_in(4) ? random.uniform(0, 2) : random.pick(Vector{0.001, 0.1, 0.4});
   ask.brake = random.uniform(0, 0.5) * size;
+  if (random.one_in(6)) {  // on either side of a limit of its own
+    ask.min_uprightness = random.magnitude(-12, 6);
+    Vector& normal = ask.normal_in_wheel;
+    normal[2] = -ask.min_uprightness * std::hypot(normal[0], normal[1]) * random.uniform(0.5, 2);
+  }
   return ask;
 }
 
 ClipAsk clip_hopeless_surface(Random& random) {
   ClipAsk ask = clip_random(random);
   Vector& normal = ask.normal_in_wheel;
+  ask.min_uprightness = default_min_uprightness;
   const std::uint64_t what = random.below(4);
   if (what == 0) normal[2] = 0;
   if (what == 1) normal[2] = -normal[2];

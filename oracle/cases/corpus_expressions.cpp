@@ -1,4 +1,4 @@
-// Expressions and their materials (SPEC sections 2 and 3).
+// Expressions (SPEC section 3).
 
 #include "corpus_parts.hpp"
 
@@ -24,7 +24,9 @@ Shape comb(const std::vector<double>& starts) {
   return union_of(std::move(teeth));
 }
 
-std::vector<Case> expressions() {
+}  // namespace
+
+std::vector<Case> corpus_of_expressions() {
   const Shape gap = intersection_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -1)});
   const Shape steps = intersection_of({union_of({half_space(1, 0, 0, 0), half_space(-1, 0, 0, -2)}),
                                        union_of({half_space(1, 0, 0, -1), half_space(-1, 0, 0, -3)})});
@@ -93,57 +95,6 @@ std::vector<Case> expressions() {
        {"expression", "seam"},
        "One plane twice: either leaf may be named."},
   };
-}
-
-std::vector<Case> paints() {
-  const Shape floor = half_space(0, 0, 1, 0);
-  const Shape right = half_space(-1, 0, 0, 0);  // x >= 0
-  return {
-      {"paint/on-the-rim",
-       {ground_materials(), painted(icy, right, covered(dry, floor))},
-       down,
-       {"paint"},
-       "On the very border of a region of paint: the region is closed."},
-      {"paint/one-ulp-beside",
-       {ground_materials(), painted(icy, right, covered(dry, floor))},
-       EntryAsk{{-0x1p-1074, 0, 1}, {-0x1p-1074, 0, -1}},
-       {"paint", "one-ulp"},
-       "Beside the paint by the least double."},
-      {"paint/outermost-wins",
-       {ground_materials(), painted(wet, right, painted(icy, right, covered(dry, floor)))},
-       down,
-       {"paint"},
-       "Of two paints the outer one counts."},
-      {"paint/cover-over-paint",
-       {ground_materials(), covered(dirty, painted(icy, right, floor))},
-       down,
-       {"paint"},
-       "A cover outside hides the paint beneath."},
-      {"paint/no-material",
-       {ground_materials(), painted(icy, half_space(-1, 0, 0, -1), floor)},
-       down,
-       {"paint"},
-       "Outside the paint and without a cover: the material is none."},
-      {"paint/leaves-of-the-region",
-       {ground_materials(), painted(icy, right, union_of({covered(dry, floor), right}))},
-       EntryAsk{{-1, 0, 1}, {1, 0, 1}},
-       {"paint"},
-       "Half-spaces of a region are no leaves and do not shift the numbers."},
-      {"paint/seam-of-two-materials",
-       {ground_materials(),
-        union_of({covered(dry, box({-1, -1, -1}, {0, 1, 0})), covered(icy, box({0, -1, -1}, {1, 1, 0}))})},
-       down,
-       {"paint", "seam"},
-       "Two materials meet where the segment hits: each with its own leaf."},
-  };
-}
-
-}  // namespace
-
-std::vector<Case> corpus_of_expressions() {
-  std::vector<Case> all = expressions();
-  for (Case& one : paints()) all.push_back(std::move(one));
-  return all;
 }
 
 }  // namespace groundtruth::cases

@@ -13,6 +13,7 @@ namespace groundtruth::cases {
 
 std::vector<Case> corpus_of_faces();
 std::vector<Case> corpus_of_expressions();
+std::vector<Case> corpus_of_paints();
 std::vector<Case> corpus_of_ranges();
 std::vector<Case> corpus_of_clips();
 std::vector<Case> corpus_of_landings();

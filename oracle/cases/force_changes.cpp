@@ -105,6 +105,21 @@ StepAsk moved(StepAsk ask, Random& random) {
   return ask;
 }
 
+bool are_loads(const StepAsk& ask) {
+  const Wheel& wheel = ask.wheel;
+  return std::isfinite(wheel.k_xy + wheel.k_z + wheel.d_xy + wheel.d_z) && std::isfinite(ask.brake) &&
+         wheel.k_xy < 0 && wheel.k_z < 0;
+}
+
+// Everything that is measured in newtons, larger or smaller.
+StepAsk at_other_load(const StepAsk& ask, Random& random) {
+  const double scale = std::ldexp(1.0, static_cast<int>(random.between(-30, 30)));
+  StepAsk result = ask;
+  Wheel& wheel = result.wheel;
+  for (double* number : {&wheel.k_xy, &wheel.k_z, &wheel.d_xy, &wheel.d_z, &result.brake}) *number *= scale;
+  return are_loads(result) ? result : ask;
+}
+
 }  // namespace
 
 ClipAsk changed(const ClipAsk& ask, Random& random) {
@@ -135,7 +150,7 @@ ClipAsk changed(const ClipAsk& ask, Random& random) {
 
 StepAsk changed(const StepAsk& ask, Random& random) {
   StepAsk result = ask;
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
       result.brake = changed_size(ask.brake, random);
       break;
@@ -151,6 +166,9 @@ StepAsk changed(const StepAsk& ask, Random& random) {
       break;
     case 5:
       result = moved(ask, random);
+      break;
+    case 6:
+      result = at_other_load(ask, random);
       break;
     default:
       if (const auto* contact = std::get_if<Contact>(&ask.state)) {

@@ -1,9 +1,11 @@
 // Expressions that nest, repeat and degenerate.
 
+#include <numeric>
 #include <utility>
 
 #include <groundtruth/cases/ground_materials.hpp>
 #include <groundtruth/cases/shape_parts.hpp>
+#include <groundtruth/cases/vector_arithmetic.hpp>
 
 #include "small_shapes.hpp"
 
@@ -19,7 +21,7 @@ Shape simple_operand(Random& random) {
 Shape decorated(Shape shape, Random& random) {
   if (random.one_in(3)) return of_some_material(std::move(shape), random);
   if (!random.one_in(4)) return shape;
-  Shape where = simple_operand(random);
+  Shape where = some_region(random);
   return painted(random.below(4), std::move(where), std::move(shape));
 }
 
@@ -44,7 +46,7 @@ Shape nested_expression(Random& random) {
 
 Shape wide_expression(Random& random) {
   std::vector<Shape> parts;
-  const std::uint64_t count = 9 + random.below(8);
+  const std::uint64_t count = random.one_in(4) ? 9 + random.below(37) : 9 + random.below(8);
   const bool boxes = random.one_in(3);
   for (std::uint64_t i = 0; i < count; ++i) {
     parts.push_back(of_some_material(boxes && i < 6 ? lattice_box(random) : lattice_plane(random), random));
@@ -53,6 +55,28 @@ Shape wide_expression(Random& random) {
   // Planes joined fill space; cut to boxes they leave something to hit.
   for (Shape& part : parts) part = intersection_of({std::move(part), lattice_plane(random)});
   return union_of(std::move(parts));
+}
+
+Shape many_sided_prism(Random& random) {
+  const std::size_t axis = random.below(3);
+  const std::uint64_t most = random.one_in(2) ? 70 : 24;
+  const double radius = random.dyadic(1, 3, 1);
+  std::vector<Shape> sides;
+  for (int a = -6; a <= 6; ++a) {
+    for (int b = -6; b <= 6; ++b) {
+      if (std::gcd(a, b) != 1) continue;
+      Vector normal{};
+      normal[(axis + 1) % 3] = a;
+      normal[(axis + 2) % 3] = b;
+      const double offset = radius * length(normal);
+      sides.push_back(of_some_material(half_space(normal[0], normal[1], normal[2], offset), random));
+    }
+  }
+  while (sides.size() > most) {
+    std::swap(sides[random.below(sides.size())], sides.back());
+    sides.pop_back();
+  }
+  return intersection_of(std::move(sides));
 }
 
 Shape notched_box(Random& random) {

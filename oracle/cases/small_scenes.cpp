@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include <groundtruth/cases/ground_materials.hpp>
 #include <groundtruth/cases/scene_builders.hpp>
 #include <groundtruth/cases/shape_parts.hpp>
 
+#include "small_materials.hpp"
 #include "small_shapes.hpp"
 
 namespace groundtruth::cases {
@@ -24,6 +24,7 @@ constexpr std::array makers{seam_row,
                             oblique_cell,
                             nested_expression,
                             wide_expression,
+                            many_sided_prism,
                             notched_box,
                             repeated_shape,
                             odd_operands,
@@ -78,7 +79,7 @@ Shape dressed(Shape shape, Random& random) {
   if (random.one_in(4)) shape = bare(shape);
   if (random.one_in(6)) shape = in_tenths(shape);
   if (random.one_in(6)) {
-    Shape where = random.one_in(2) ? lattice_box(random) : lattice_plane(random);
+    Shape where = some_region(random);
     shape = painted(random.below(5), std::move(where), std::move(shape));
   }
   if (random.one_in(6)) shape = wrapped(std::move(shape), random);
@@ -101,7 +102,7 @@ Scene far_away(const Scene& scene, Random& random) {
 
 Scene small_scene(Random& random) {
   Shape shape = random.pick(makers)(random);
-  Scene scene{ground_materials(), dressed(std::move(shape), random)};
+  Scene scene{some_materials(random), dressed(std::move(shape), random)};
   return random.one_in(6) ? far_away(scene, random) : scene;
 }
 

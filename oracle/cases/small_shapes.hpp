@@ -16,6 +16,9 @@ Shape lattice_plane(Random& random);
 // A box on the lattice of whole metres, of no thickness now and then.
 Shape lattice_box(Random& random);
 
+// A region to be painted.
+Shape some_region(Random& random);
+
 // Solids that touch.
 Shape seam_row(Random& random);            // boxes in a row, their tops in one plane or nearly
 Shape slab_stack(Random& random);          // slabs one on the other
@@ -31,7 +34,8 @@ Shape oblique_cell(Random& random);     // an intersection of planes of arbitrar
 
 // Expressions.
 Shape nested_expression(Random& random);   // up to six levels
-Shape wide_expression(Random& random);     // more than eight operands
+Shape wide_expression(Random& random);     // nine to forty-five operands
+Shape many_sided_prism(Random& random);    // up to seventy planes around one axis, each a face of its own
 Shape notched_box(Random& random);         // a box met with unions, so that it is not convex
 Shape repeated_shape(Random& random);      // the same thing more than once, in other materials
 Shape interleaved_unions(Random& random);  // each sends a segment on to the other's next gap

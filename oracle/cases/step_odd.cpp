@@ -1,6 +1,7 @@
 // Wheels that nobody should build.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -22,7 +23,8 @@ StepAsk step_stiff(const Landmarks& landmarks, Random& random) {
 
 StepAsk step_unknown_tyre(const Landmarks& landmarks, Random& random) {
   StepAsk ask = random.one_in(2) ? step_free_hit(landmarks, random) : step_skidding(landmarks, random);
-  ask.wheel.tyre = "wood";
+  constexpr std::array tyres{"wood", "Rubber", "rubber2"};
+  ask.wheel.tyre = random.pick(tyres);
   return ask;
 }
 

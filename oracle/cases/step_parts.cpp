@@ -66,7 +66,7 @@ Wheel realistic_wheel(Random& random) {
   wheel.k_z = -random.magnitude(13, 20);
   wheel.d_xy = random.one_in(8) ? 0 : -random.magnitude(6, 13);
   wheel.d_z = random.one_in(8) ? 0 : -random.magnitude(6, 13);
-  wheel.z_min = random.uniform(0.1, 0.4);
+  wheel.z_min = random.uniform(0.1, 0.4) - (random.one_in(8) ? 0.5 : 0.0);
   wheel.z_zero = wheel.z_min + random.uniform(0.1, 0.6);
   wheel.z_max = wheel.z_zero + (random.one_in(4) ? random.uniform(0, 0.3) : 0);
   wheel.tyre = random.one_in(6) ? "metal" : "rubber";
@@ -83,7 +83,7 @@ Wheel short_wheel(Random& random) {
   wheel.k_z = power(14, 18);
   wheel.d_xy = random.one_in(4) ? 0 : power(6, 12);
   wheel.d_z = random.one_in(4) ? 0 : power(6, 12);
-  wheel.z_min = 0.25;
+  wheel.z_min = random.one_in(8) ? -0.25 : 0.25;
   wheel.z_zero = 1;
   wheel.z_max = random.one_in(2) ? 1 : 2;
   return wheel;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "direction.hpp"
+#include "standing.hpp"
 #include "step_kinds.hpp"
 #include "step_match.hpp"
 #include "step_variants.hpp"
@@ -69,13 +70,12 @@ class StepWeighing {
     const bool depends = contact != nullptr || std::holds_alternative<Refusal>(got_) ||
                          (failure != nullptr && *failure == StepFailure::surface_too_steep);
     const std::optional<Vector> place = depends ? landing_place() : std::nullopt;
-    std::vector<Leaf> faces;
-    for (Leaf leaf = 0; place && leaf < truth_.leaves().size(); ++leaf) {
-      const HalfSpace& plane = truth_.leaves()[leaf];
-      const bool named = contact == nullptr || points_along(contact->normal_in_world, plane.normal,
-                                                            truth_.tolerance().normal_angle);
-      if (named && may_contain(plane, *place)) faces.push_back(leaf);
-    }
+    if (!place) return {};
+    std::vector<Leaf> faces = leaves_that_may_stand(truth_.scene().shape, *place);
+    std::erase_if(faces, [&](Leaf leaf) {
+      return contact != nullptr && !points_along(contact->normal_in_world, truth_.leaves()[leaf].normal,
+                                                 truth_.tolerance().normal_angle);
+    });
     return faces;
   }
 
@@ -87,18 +87,6 @@ class StepWeighing {
     const Contact* contact = contact_in(std::get<StepAnswer>(landed.answer));
     if (contact == nullptr) return std::nullopt;
     return contact->pebble_in_world;
-  }
-
-  // Only a sieve: the exact engine decides whether the leaf is admissible. The place is rounded to doubles.
-  static bool may_contain(const HalfSpace& plane, const Vector& place) {
-    long double height = -static_cast<long double>(plane.offset);
-    long double terms = std::fabs(height);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const long double term = static_cast<long double>(plane.normal[i]) * place[i];
-      height += term;
-      terms += std::fabs(term) + std::fabs(plane.normal[i]) * 0x1p-1070L;
-    }
-    return std::fabs(height) <= 1e-15L * terms;
   }
 
   const Truth& truth_;

@@ -46,11 +46,13 @@ Scene familiar_scene(Random& random) {
 }
 
 // Thousands of leaves: seldom, because an ask about them costs as much as dozens of others.
-bool is_large(std::uint64_t strand, std::uint64_t batch) { return batch == 20 && strand % 4 == 0; }
+bool is_large(std::uint64_t strand, std::uint64_t batch) { return batch == 20 && strand % 2 == 0; }
 
-Scene large_scene(Random& random) {
+// More leaves than 16 bits count, and more operands than a thousand, every now and then.
+Scene large_scene(std::uint64_t number, Random& random) {
   constexpr std::array<std::string_view, 4> large{"runway", "hills", "town", "far-town"};
-  return of_pack(random.pick(large), random);
+  const std::uint64_t kind = number % (large.size() + 1);
+  return kind < large.size() ? of_pack(large[kind], random) : cases::runway_of(22000);
 }
 
 constexpr std::array<cases::AskMix, number_of_kinds> only_of_kind{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -59,7 +61,7 @@ constexpr std::array<cases::AskMix, number_of_kinds> only_of_kind{{{1, 0, 0}, {0
 
 Scene scene_of_batch(std::uint64_t seed, std::uint64_t strand, std::uint64_t batch) {
   Random random(seed_of_batch(seed, strand, batch));
-  if (is_large(strand, batch)) return large_scene(random);
+  if (is_large(strand, batch)) return large_scene(strand / 2, random);
   const std::uint64_t kind = random.below(16);
   if (kind < 1) return of_pack("degenerate", random);
   if (kind < 2) return of_pack("nested", random);

@@ -7,8 +7,9 @@ namespace groundtruth::planted {
 const std::vector<Bug>& all_bugs() {
   static const std::vector<Bug> bugs = [] {
     std::vector<Bug> all;
-    for (const auto list : {segment_bugs, number_bugs, search_bugs, face_bugs, shape_bugs, numbering_bugs,
-                            material_bugs, clip_bugs, border_bugs, motion_bugs, state_bugs, landing_bugs}) {
+    for (const auto list :
+         {segment_bugs, number_bugs, search_bugs, face_bugs, shape_bugs, misread_bugs, numbering_bugs,
+          material_bugs, clip_bugs, border_bugs, motion_bugs, state_bugs, landing_bugs}) {
       for (Bug& bug : list()) all.push_back(std::move(bug));
     }
     return all;

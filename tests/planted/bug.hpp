@@ -37,6 +37,7 @@ std::vector<Bug> number_bugs();     // lambda and arithmetic
 std::vector<Bug> search_bugs();     // the recursion over the expression
 std::vector<Bug> face_bugs();       // which leaf, which normal
 std::vector<Bug> shape_bugs();      // reading the expression
+std::vector<Bug> misread_bugs();    // reading what is rare
 std::vector<Bug> numbering_bugs();  // leaf numbers
 std::vector<Bug> material_bugs();   // painting
 std::vector<Bug> clip_bugs();       // the clip
