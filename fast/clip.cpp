@@ -3,6 +3,7 @@
 #include <groundtruth/fast/clip_decided.hpp>
 #include <groundtruth/fast/exact_stage/clip.hpp>
 #include <groundtruth/fast/surface.hpp>
+#include <groundtruth/fast/surface_in_pairs.hpp>
 
 namespace groundtruth::fast {
 
@@ -44,44 +45,56 @@ class CountedClip {
   const ForceOnSurface<Real, 0, 0, 0> on_surface_;
 };
 
-GROUNDTRUTH_FLAT std::optional<Decision> decide_in_doubles(const ClipAsk& ask) {
-  return CountedClip<double>(ask).decide();
-}
-
-GROUNDTRUTH_FUSED std::optional<Vector> fused_force(const ClipAsk& ask, Clipping clipping) {
-  return CountedClip<FusedPair>(ask).force(clipping);
-}
-
-struct RoundedForce {
-  std::optional<Vector> force;  // absent: uncertain
-  Stage stage = Stage::exact;
-};
-
-RoundedForce rounded_force(const ClipAsk& ask, Clipping clipping, Kernels kernels) {
-  if (kernels == Kernels::fused) return {fused_force(ask, clipping), Stage::double_pair};
-  if (const auto force = CountedClip<Extended>(ask).force(clipping)) return {force, Stage::extended};
-  return {CountedClip<Pair>(ask).force(clipping), Stage::double_pair};
-}
-
 // -0 is written 0.
 Vector without_signs_of_zeros(const Vector& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}; }
+
+DecidedClip stuck(const ClipAsk& ask, Stage stage) {
+  return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, stage, Stage::none};
+}
+
+// Decided in doubles, computed in pairs, under one bound.
+template <class Pair>
+std::optional<DecidedClip> quick_clip(const ClipAsk& ask) {
+  const Vector& n = ask.normal_in_wheel;
+  const ForceAsk force_ask{n,           {-n[2], 0, n[0]}, ask.force_in_wheel, sum_of_magnitudes(ask.force_in_wheel),
+                           ask.friction, ask.brake};
+  const SurfaceInDoubles surface(force_ask);
+  if (!surface.is_usable(1)) return std::nullopt;
+  const auto upright = is_upright(n[2], surface.n_squared(), ask.min_uprightness);
+  if (!upright) return std::nullopt;
+  if (!*upright) return DecidedClip{TooSteep{}, Stage::doubles, Stage::none};
+  const auto clipping = surface.decide();
+  if (!clipping) return std::nullopt;
+  if (*clipping == Clipping::none) return stuck(ask, Stage::doubles);
+  const SurfaceInPairs<Pair, double> in_pairs(force_ask, force_ask.forward, force_ask.force);
+  const auto force = nearest_doubles(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping));
+  if (!force) return std::nullopt;
+  return DecidedClip{Clipped{Grip::slip, *force}, Stage::doubles, Stage::quick_pair};
+}
+
+GROUNDTRUTH_FUSED std::optional<DecidedClip> fused_quick_clip(const ClipAsk& ask) {
+  return quick_clip<FusedPair>(ask);
+}
+GROUNDTRUTH_FLAT std::optional<DecidedClip> portable_quick_clip(const ClipAsk& ask) {
+  return quick_clip<Pair>(ask);
+}
+
+DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
+  const CountedClip<Pair> counted(ask);
+  const auto decision = counted.decide();
+  if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
+  if (decision->is_too_steep) return {TooSteep{}, Stage::double_pair, Stage::none};
+  if (decision->clipping == Clipping::none) return stuck(ask, Stage::double_pair);
+  if (const auto force = counted.force(decision->clipping))
+    return {Clipped{Grip::slip, *force}, Stage::double_pair, Stage::double_pair};
+  return {exact_stage::clip(ask), Stage::double_pair, Stage::exact};
+}
 
 }  // namespace
 
 DecidedClip decide_clip(const ClipAsk& ask, Kernels kernels) {
-  Stage stage = Stage::doubles;
-  auto decision = decide_in_doubles(ask);
-  if (!decision) {
-    stage = Stage::double_pair;
-    decision = CountedClip<Pair>(ask).decide();
-  }
-  if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
-  if (decision->is_too_steep) return {TooSteep{}, stage, Stage::none};
-  if (decision->clipping == Clipping::none)
-    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, stage, Stage::none};
-  const RoundedForce rounded = rounded_force(ask, decision->clipping, kernels);
-  if (rounded.force) return {Clipped{Grip::slip, *rounded.force}, stage, rounded.stage};
-  return {exact_stage::clip(ask), stage, Stage::exact};
+  const auto quick = kernels == Kernels::fused ? fused_quick_clip(ask) : portable_quick_clip(ask);
+  return quick ? *quick : clip_in_counted_pairs(ask);
 }
 
 ClipAnswer clip(const ClipAsk& ask) { return decide_clip(ask).answer; }

@@ -1,0 +1,93 @@
+#pragma once
+// The numbers of a clip in double-double, under one bound for the ask. Not installed.
+
+#include <groundtruth/fast/surface_in_doubles.hpp>
+
+namespace groundtruth::fast {
+
+// Lemma clip-in-pairs (proofs-notes/rounding-of-forces.md, section 9): what clipped() is off by, of a force and
+// a forward axis within 2^-95 force_size and 2^-90 of its length. Requires a clipping that SurfaceInDoubles
+// has decided.
+inline double clip_error(const ForceAsk& ask, const SurfaceInDoubles& decided, Clipping clipping) {
+  const double of_disc = clipping == Clipping::onto_corner
+                             ? ask.friction * (1 + decided.corner_condition())
+                             : ask.friction;
+  return 0x1p-84 * (ask.force_size * (1 + of_disc));
+}
+
+// Component: a double or a pair. Formulas: lemma clipping-without-axes, as in ForceOnSurface (surface.hpp).
+template <class Pair, class Component>
+class SurfaceInPairs {
+ public:
+  SurfaceInPairs(const ForceAsk& ask, const Vector3<Component>& forward, const Vector3<Component>& force)
+      : n_(ask.normal), friction_(ask.friction), brake_(ask.brake), g_(forward), force_(force) {}
+
+  Vector3<Pair> clipped(Clipping clipping) const {
+    if (clipping == Clipping::onto_circle) return onto_circle();
+    if (clipping == Clipping::onto_corner) return onto_corner();
+    return brake_ == 0 ? projected_on_line() : corrected_to_band_edge();
+  }
+
+ private:
+  Vector3<Pair> corrected_to_band_edge() const {
+    const Pair g_squared = dot<Pair>(g_, g_), along = dot<Pair>(g_, force_);
+    const Root<Pair> length = square_root(g_squared);
+    const Pair missing = quotient(with_sign_of(along, brake_ * length.value) - along, g_squared,
+                                  length.inverse * length.inverse);
+    return vector_of(
+        [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g_[k])); });
+  }
+  Vector3<Pair> projected_on_line() const {
+    const Pair n_squared = dot<Pair>(n_, n_), area_squared = dot<Pair>(g_, g_) * n_squared;
+    const Pair aside = quotient(dot<Pair>(g_, cross<Pair>(n_, force_)), area_squared, 1 / area_squared.high);
+    const Pair pressed = quotient(dot<Pair>(n_, force_), n_squared, 1 / n_squared.high);
+    const Vector3<Pair> across_axis = cross<Pair>(g_, n_);
+    return vector_of([&](std::size_t k) {
+      return Pair::loose_sum(product_of<Pair>(aside, across_axis[k]), product_of<Pair>(pressed, n_[k]));
+    });
+  }
+  Vector3<Pair> onto_corner() const {
+    const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = friction_ * down;
+    const Root<Pair> length = square_root(dot<Pair>(g_, g_));
+    const Root<Pair> corner =
+        square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared));
+    const double inverse = 1 / n_squared.high;
+    const Pair across = dot<Pair>(g_, cross<Pair>(n_, force_));
+    const Pair ahead =
+        with_sign_of(dot<Pair>(g_, force_), quotient(Pair(brake_), length.value, length.inverse));
+    const Pair aside = with_sign_of(
+        across, quotient(corner.value, length.value * n_squared, length.inverse * inverse));
+    const Pair pressed = quotient(down, n_squared, inverse);
+    const Vector3<Pair> across_axis = cross<Pair>(g_, n_);
+    return vector_of([&](std::size_t k) {
+      return Pair::loose_sum(
+          Pair::loose_sum(product_of<Pair>(ahead, g_[k]), product_of<Pair>(aside, across_axis[k])),
+          product_of<Pair>(pressed, n_[k]));
+    });
+  }
+  Vector3<Pair> onto_circle() const {
+    const Vector3<Pair> turning = cross<Pair>(n_, force_);
+    const Pair down = dot<Pair>(n_, force_), n_squared = dot<Pair>(n_, n_);
+    const Pair limit = friction_ * (down.high < 0 ? -down : down);
+    const Root<Pair> turned = square_root(dot<Pair>(turning, turning));
+    const Pair part = quotient(limit, turned.value, turned.inverse);
+    const Pair pressed = (Pair(1) - part) * quotient(down, n_squared, 1 / n_squared.high);
+    return vector_of([&](std::size_t k) {
+      return Pair::loose_sum(product_of<Pair>(part, force_[k]), product_of<Pair>(pressed, n_[k]));
+    });
+  }
+
+  template <class Axis>
+  static Vector3<Pair> vector_of(const Axis& axis) {
+    return {axis(0).tidy(), axis(1).tidy(), axis(2).tidy()};
+  }
+
+  static Pair with_sign_of(const Pair& sign, const Pair& x) { return sign.high < 0 ? -x : x; }
+
+  const Vector& n_;
+  const double friction_, brake_;
+  const Vector3<Component>& g_;
+  const Vector3<Component>& force_;
+};
+
+}  // namespace groundtruth::fast
