@@ -1,0 +1,92 @@
+#pragma once
+// Where a wheel's strut meets the ground, in double-double under one bound for the ask. Not installed.
+
+#include <groundtruth/fast/quick_load.hpp>
+#include <groundtruth/fast/range_ends.hpp>
+#include <groundtruth/fast/step_strut.hpp>
+
+namespace groundtruth::fast {
+
+// From the frame to where a strut passes, but for a part along it: within 2^-83 size.
+template <class Pair>
+struct QuickOffset {
+  Vector3<Pair> from_frame{};
+  double size = 0;  // >= its length
+};
+
+template <class Pair>
+struct QuickLanding {
+  Vector3<Pair> from_frame_in_world;  // its place less the frame's, within `error`
+  double error;
+  std::optional<LevelCoordinate> level;
+};
+
+// Lemma strut-in-pairs, proofs-notes/rounding-of-forces.md, section 11.
+template <class Pair>
+class QuickStrut {
+ public:
+  QuickStrut(const StepAsk& ask, const QuickAxes<Pair>& axes, const QuickOffset<Pair>& offset)
+      : ask_(ask), axes_(axes), offset_(offset) {}
+
+  RangeEnds ends() const {
+    const Wheel& wheel = ask_.wheel;
+    const Vector offset = highs_of(offset_.from_frame), down = highs_of(axes_.down());
+    const double inverse = 1 / axes_.norm_squared().high, depth = dot_in_doubles(down, offset) * inverse;
+    const double first = (wheel.z_min - depth) * inverse, last = (wheel.z_max - depth) * inverse;
+    RangeEnds ends;
+    double farthest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double b = ask_.frame.position_in_world[k];
+      ends.first[k] = b + (offset[k] + first * down[k]);
+      ends.last[k] = b + (offset[k] + last * down[k]);
+      farthest = std::max(farthest, std::abs(b));
+    }
+    ends.coordinate_error = 0x1p-51 * farthest +
+                            0x1p-47 * (offset_.size + (std::abs(wheel.z_min) + std::abs(wheel.z_max))) +
+                            0x1p-1000;
+    return ends;
+  }
+
+  // Nothing where the plane is so steep that the bound would not hold.
+  std::optional<QuickLanding<Pair>> landing_on(const HalfSpace& plane) const {
+    const Vector& b = ask_.frame.position_in_world;
+    const auto level = level_coordinate(plane);
+    if (level) {
+      const std::size_t axis = level->axis;
+      const Pair height = Pair::sum(level->value, -b[axis]);
+      auto landing = landing_at(height - offset_.from_frame[axis], axes_.down()[axis], std::abs(height.high), 1);
+      if (!landing) return std::nullopt;
+      landing->level = level;
+      landing->from_frame_in_world[axis] = height;
+      return landing;
+    }
+    const Vector& n = plane.normal;
+    const double n_size = sum_of_magnitudes(n);
+    if (!is_in_window(n_size)) return std::nullopt;
+    const Pair height = (Pair(plane.offset) - dot<Pair>(n, b)) - dot<Pair>(n, offset_.from_frame);
+    return landing_at(height, dot<Pair>(n, axes_.down()),
+                      std::abs(plane.offset) / n_size + sum_of_magnitudes(b), n_size);
+  }
+
+ private:
+  std::optional<QuickLanding<Pair>> landing_at(const Pair& height, const Pair& slope, double plane_size,
+                                               double n_size) const {
+    const double inverse = 1 / slope.high;
+    const double steepness = std::abs(n_size * axes_.norm_squared().high * inverse);
+    const double size = plane_size + offset_.size;
+    if (!(steepness < 0x1p12 && size > 0x1p-200)) return std::nullopt;
+    const Pair way = quotient(height, slope, inverse);
+    const auto axis = [&](std::size_t k) {
+      return Pair::loose_sum(offset_.from_frame[k], product_of<Pair>(way, axes_.down()[k])).tidy();
+    };
+    return QuickLanding<Pair>{{axis(0), axis(1), axis(2)},
+                              steepness * (0x1p-81 * offset_.size + 0x1p-94 * (steepness * plane_size)),
+                              std::nullopt};
+  }
+
+  const StepAsk& ask_;
+  const QuickAxes<Pair>& axes_;
+  const QuickOffset<Pair>& offset_;
+};
+
+}  // namespace groundtruth::fast
