@@ -66,7 +66,8 @@ std::optional<DecidedClip> quick_clip(const ClipAsk& ask) {
   const auto clipping = surface.decide();
   if (!clipping) return std::nullopt;
   if (*clipping == Clipping::none) return stuck(ask, Stage::doubles);
-  const SurfaceInPairs<Pair, double> in_pairs(force_ask, force_ask.forward, force_ask.force);
+  const auto forward = [&] { return force_ask.forward; };
+  const SurfaceInPairs<Pair, double, decltype(forward)> in_pairs(force_ask, forward, force_ask.force);
   const auto force = nearest_doubles(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping));
   if (!force) return std::nullopt;
   return DecidedClip{Clipped{Grip::slip, *force}, Stage::doubles, Stage::quick_pair};

@@ -19,14 +19,19 @@ class QuickAxes {
     down_ = {twice(determinant<Pair>(x, z, -w, y)), twice(determinant<Pair>(y, z, w, x)),
              Pair::loose_sum(upward, -sideward).tidy()};
     norm_squared_ = Pair::loose_sum(upward, sideward).tidy();
-    rightward_y_ = Pair::loose_sum(Pair::loose_sum(ww, -xx), Pair::loose_sum(yy, -zz)).tidy();
   }
 
   const Vector3<Pair>& down() const { return down_; }
   const Pair& norm_squared() const { return norm_squared_; }
   Vector3<Pair> rightward() const {
     const auto [w, x, y, z] = q_;
-    return {twice(determinant<Pair>(x, y, w, z)), rightward_y_, twice(determinant<Pair>(y, z, -w, x))};
+    const Pair y_axis = Pair::loose_sum(determinant<Pair>(w, w, x, x), determinant<Pair>(y, y, z, z)).tidy();
+    return {twice(determinant<Pair>(x, y, w, z)), y_axis, twice(determinant<Pair>(y, z, -w, x))};
+  }
+  // Within 2^-50 |q|^2.
+  Vector rightward_in_doubles() const {
+    const auto [w, x, y, z] = q_;
+    return {2 * (x * y - w * z), (w * w - x * x) + (y * y - z * z), 2 * (y * z + w * x)};
   }
 
  private:
@@ -34,7 +39,7 @@ class QuickAxes {
 
   const Quaternion& q_;
   Vector3<Pair> down_;
-  Pair norm_squared_, rightward_y_;
+  Pair norm_squared_;
 };
 
 // Formulas: lemma load-without-rotation, as in Load (step_load.hpp). Errors: lemma load-in-pairs

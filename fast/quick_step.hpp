@@ -2,7 +2,7 @@
 // A step decided in doubles and computed in double-double, under one bound for the ask. Not installed.
 
 #include <groundtruth/fast/quick_strut.hpp>
-#include <groundtruth/fast/step_plan.hpp>
+#include <groundtruth/fast/quick_touch.hpp>
 
 namespace groundtruth::fast {
 
@@ -25,13 +25,11 @@ class QuickStep {
     const QuickStrut<Pair> strut(ask_, axes_, at_frame);
     const auto touch = touch_at(strut);
     if (!touch) return std::nullopt;
-    if (const auto* surface = std::get_if<Contacted>(&*touch)) {
-      const auto landing = strut.landing_on(surface->plane);
-      const auto pebble = landing ? pebble_at(*landing) : std::nullopt;
-      if (!pebble) return std::nullopt;
-      return Stepped{surface->surface.contact(Grip::stick, *pebble, {}), {}};
-    }
-    return without_landing(*touch, {});
+    if (touch->kind != QuickTouch::surface) return without_landing(*touch, {});
+    const auto landing = strut.landing_on(*touch->plane);
+    const auto pebble = landing ? pebble_at(*landing) : std::nullopt;
+    if (!pebble) return std::nullopt;
+    return Stepped{touch->contact(Grip::stick, *pebble, {}), {}};
   }
 
   std::optional<StepAnswer> from(const Contact& contact) const {
@@ -58,9 +56,13 @@ class QuickStep {
   std::optional<StepAnswer> under(const Contact& contact, const QuickLoad<Pair>& load) const {
     const double friction =
         contact.grip == Grip::stick ? contact.static_friction : contact.dynamic_friction;
-    const Vector3<Pair> force = load.force(), forward = cross<Pair>(contact.normal_in_world, axes_.rightward());
-    const ForceAsk force_ask{contact.normal_in_world, highs_of(forward), highs_of(force), load.force_size(),
-                             friction, ask_.brake};
+    const Vector3<Pair> force = load.force();
+    const ForceAsk force_ask{contact.normal_in_world,
+                             cross_in_doubles(contact.normal_in_world, axes_.rightward_in_doubles()),
+                             highs_of(force),
+                             load.force_size(),
+                             friction,
+                             ask_.brake};
     const SurfaceInDoubles surface(force_ask);
     const double unit = axes_.norm_squared().high;
     if (!surface.is_usable(unit * unit)) return std::nullopt;
@@ -75,7 +77,8 @@ class QuickStep {
     const auto clipping = surface.decide();
     if (!clipping) return std::nullopt;
     if (*clipping == Clipping::none) return stick(contact, force, force_ask.force_size);
-    const SurfaceInPairs<Pair, Pair> in_pairs(force_ask, forward, force);
+    const auto forward = [&] { return cross<Pair>(contact.normal_in_world, axes_.rightward()); };
+    const SurfaceInPairs<Pair, Pair, decltype(forward)> in_pairs(force_ask, forward, force);
     return slip(contact, load, in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping));
   }
 
@@ -97,19 +100,18 @@ class QuickStep {
     const QuickStrut<Pair> strut(ask_, axes_, *offset);
     const auto touch = touch_at(strut);
     if (!touch) return std::nullopt;
-    const auto* surface = std::get_if<Contacted>(&*touch);
-    if (surface == nullptr) return without_landing(*touch, opposite(*on_pebble));
-    const auto landing = strut.landing_on(surface->plane);
+    if (touch->kind != QuickTouch::surface) return without_landing(*touch, opposite(*on_pebble));
+    const auto landing = strut.landing_on(*touch->plane);
     if (!landing) return std::nullopt;
     const auto pebble = pebble_at(*landing);
     const auto velocity = velocity_to(*landing, contact, load);
     if (!pebble || !velocity) return std::nullopt;
-    return Stepped{surface->surface.contact(Grip::slip, *pebble, *velocity), opposite(*on_pebble)};
+    return Stepped{touch->contact(Grip::slip, *pebble, *velocity), opposite(*on_pebble)};
   }
 
-  static StepAnswer without_landing(const Touch& touch, const Vector& force_on_frame) {
-    if (const auto* failure = std::get_if<StepFailure>(&touch)) return *failure;
-    if (const auto* refusal = std::get_if<Refusal>(&touch)) return *refusal;
+  static StepAnswer without_landing(const QuickTouch& touch, const Vector& force_on_frame) {
+    if (touch.kind == QuickTouch::broken) return StepFailure::wheel_broken;
+    if (touch.kind == QuickTouch::too_steep) return StepFailure::surface_too_steep;
     return Stepped{Free{}, force_on_frame};
   }
 
@@ -134,19 +136,14 @@ class QuickStep {
                              std::abs((h * force_scale + std::abs(d_xy) * moved_size) * inverse)};
   }
 
-  std::optional<Touch> touch_at(const QuickStrut<Pair>& strut) const {
-    const auto found = face_along(scene_, strut.ends());
-    if (!found) return std::nullopt;
-    if (std::holds_alternative<NoContact>(*found)) return NoContact{};
-    if (const auto* failure = std::get_if<StepFailure>(&*found)) return *failure;
-    const auto& face = std::get<FaceFound>(*found);
-    const HalfSpace& plane = scene_.solid().leaves[face.leaf];
-    const auto upright = is_upright_in_wheel(plane.normal);
-    if (!upright) return std::nullopt;
-    if (!*upright) return StepFailure::surface_too_steep;
-    const auto surface = surface_of(scene_, face.leaf, plane.normal, face.material, ask_.wheel.tyre);
-    if (const auto* refusal = std::get_if<Refusal>(&surface)) return *refusal;
-    return Contacted{std::get<Surface>(surface), plane};
+  // Where a contact would be refused, nothing: the reason is for others to give.
+  std::optional<QuickTouch> touch_at(const QuickStrut<Pair>& strut) const {
+    auto touch = quick_touch(scene_, strut.ends(), ask_.wheel.tyre);
+    if (!touch || touch->kind != QuickTouch::surface) return touch;
+    const auto upright = is_upright_in_wheel(touch->plane->normal);
+    if (!upright || (*upright && !touch->friction)) return std::nullopt;
+    if (!*upright) touch->kind = QuickTouch::too_steep;
+    return touch;
   }
 
   std::optional<bool> is_upright_in_wheel(const Vector& normal) const {

@@ -22,6 +22,10 @@ GROUNDTRUTH_FLAT std::optional<StepAnswer> portable_answer(const Scene& scene, c
   return QuickStep<Pair>(scene, ask).answer();
 }
 
+std::optional<StepAnswer> quick_answer(const Scene& scene, const StepAsk& ask, Kernels kernels) {
+  return kernels == Kernels::fused ? fused_answer(scene, ask) : portable_answer(scene, ask);
+}
+
 DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
   const auto plan = StepPlanner<Pair>(scene, ask).plan();
   if (!plan) return {exactly(scene, ask), Stage::exact, Stage::exact};
@@ -33,11 +37,14 @@ DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
 }  // namespace
 
 DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels) {
-  auto quick = kernels == Kernels::fused ? fused_answer(scene, ask) : portable_answer(scene, ask);
+  auto quick = quick_answer(scene, ask, kernels);
   if (quick) return {*std::move(quick), Stage::doubles, Stage::quick_pair};
   return step_in_counted_pairs(scene, ask);
 }
 
-StepAnswer step(const Scene& scene, const StepAsk& ask) { return decide_step(scene, ask).answer; }
+StepAnswer step(const Scene& scene, const StepAsk& ask) {
+  if (auto quick = quick_answer(scene, ask, best_kernels())) return *std::move(quick);
+  return step_in_counted_pairs(scene, ask).answer;
+}
 
 }  // namespace groundtruth::fast

@@ -14,10 +14,10 @@ namespace groundtruth::fast {
 inline bool is_in_window(double size) { return size >= 0x1p-100 && size <= 0x1p100; }
 inline bool is_zero_or_in_window(double size) { return size == 0 || is_in_window(size); }
 
-// a <= b, of numbers whose sum of errors is at most 2^-46 (size of a + size of b + more)? Lemma
+// a <= b, of numbers whose sum of errors is at most 2^-44 (size of a + size of b + more)? Lemma
 // decisions-in-doubles, proofs-notes/rounding-of-forces.md, section 8.
 inline std::optional<bool> is_at_most(double a, double b, double sizes) {
-  const double difference = b - a, margin = 0x1p-46 * sizes;
+  const double difference = b - a, margin = 0x1p-44 * sizes;
   if (difference > margin) return true;
   if (difference < -margin) return false;
   return std::nullopt;
@@ -36,7 +36,7 @@ inline std::optional<bool> is_upright(double depth, double length_squared, doubl
 // Vectors may be in any axes, the same ones for all of a surface: those of ForceOnSurface (surface.hpp).
 struct ForceAsk {
   Vector normal;
-  Vector forward;     // within 2^-52 of its length
+  Vector forward;     // within 2^-47 of its length
   Vector force;       // within 2^-52 force_size
   double force_size;  // >= |force|, exact and here
   double friction;
@@ -59,7 +59,7 @@ class SurfaceInDoubles {
   // With `forward` scaled by this: by the wheel's |q|^2 in a step.
   bool is_usable(double scale_squared) const {
     return is_in_window(n_squared_) && is_in_window(ask_.force_size) && is_zero_or_in_window(ask_.friction) &&
-           is_zero_or_in_window(ask_.brake) && g_squared_ > 0x1p-12 * (n_squared_ * scale_squared);
+           is_zero_or_in_window(ask_.brake) && g_squared_ > 0x1p-4 * (n_squared_ * scale_squared);
   }
 
   double n_squared() const { return n_squared_; }

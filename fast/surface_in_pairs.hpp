@@ -15,12 +15,13 @@ inline double clip_error(const ForceAsk& ask, const SurfaceInDoubles& decided, C
   return 0x1p-84 * (ask.force_size * (1 + of_disc));
 }
 
-// Component: a double or a pair. Formulas: lemma clipping-without-axes, as in ForceOnSurface (surface.hpp).
-template <class Pair, class Component>
+// Component: a double or a pair. Forward: gives the forward axis, which not every clipping needs. Formulas: lemma
+// clipping-without-axes, as in ForceOnSurface (surface.hpp).
+template <class Pair, class Component, class Forward>
 class SurfaceInPairs {
  public:
-  SurfaceInPairs(const ForceAsk& ask, const Vector3<Component>& forward, const Vector3<Component>& force)
-      : n_(ask.normal), friction_(ask.friction), brake_(ask.brake), g_(forward), force_(force) {}
+  SurfaceInPairs(const ForceAsk& ask, const Forward& forward, const Vector3<Component>& force)
+      : n_(ask.normal), friction_(ask.friction), brake_(ask.brake), forward_(forward), force_(force) {}
 
   Vector3<Pair> clipped(Clipping clipping) const {
     if (clipping == Clipping::onto_circle) return onto_circle();
@@ -30,38 +31,41 @@ class SurfaceInPairs {
 
  private:
   Vector3<Pair> corrected_to_band_edge() const {
-    const Pair g_squared = dot<Pair>(g_, g_), along = dot<Pair>(g_, force_);
+    const auto g = forward_();
+    const Pair g_squared = dot<Pair>(g, g), along = dot<Pair>(g, force_);
     const Root<Pair> length = square_root(g_squared);
     const Pair missing = quotient(with_sign_of(along, brake_ * length.value) - along, g_squared,
                                   length.inverse * length.inverse);
     return vector_of(
-        [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g_[k])); });
+        [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g[k])); });
   }
   Vector3<Pair> projected_on_line() const {
-    const Pair n_squared = dot<Pair>(n_, n_), area_squared = dot<Pair>(g_, g_) * n_squared;
-    const Pair aside = quotient(dot<Pair>(g_, cross<Pair>(n_, force_)), area_squared, 1 / area_squared.high);
+    const auto g = forward_();
+    const Pair n_squared = dot<Pair>(n_, n_), area_squared = dot<Pair>(g, g) * n_squared;
+    const Pair aside = quotient(dot<Pair>(g, cross<Pair>(n_, force_)), area_squared, 1 / area_squared.high);
     const Pair pressed = quotient(dot<Pair>(n_, force_), n_squared, 1 / n_squared.high);
-    const Vector3<Pair> across_axis = cross<Pair>(g_, n_);
+    const Vector3<Pair> across_axis = cross<Pair>(g, n_);
     return vector_of([&](std::size_t k) {
       return Pair::loose_sum(product_of<Pair>(aside, across_axis[k]), product_of<Pair>(pressed, n_[k]));
     });
   }
   Vector3<Pair> onto_corner() const {
+    const auto g = forward_();
     const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = friction_ * down;
-    const Root<Pair> length = square_root(dot<Pair>(g_, g_));
+    const Root<Pair> length = square_root(dot<Pair>(g, g));
     const Root<Pair> corner =
         square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared));
     const double inverse = 1 / n_squared.high;
-    const Pair across = dot<Pair>(g_, cross<Pair>(n_, force_));
+    const Pair across = dot<Pair>(g, cross<Pair>(n_, force_));
     const Pair ahead =
-        with_sign_of(dot<Pair>(g_, force_), quotient(Pair(brake_), length.value, length.inverse));
+        with_sign_of(dot<Pair>(g, force_), quotient(Pair(brake_), length.value, length.inverse));
     const Pair aside = with_sign_of(
         across, quotient(corner.value, length.value * n_squared, length.inverse * inverse));
     const Pair pressed = quotient(down, n_squared, inverse);
-    const Vector3<Pair> across_axis = cross<Pair>(g_, n_);
+    const Vector3<Pair> across_axis = cross<Pair>(g, n_);
     return vector_of([&](std::size_t k) {
       return Pair::loose_sum(
-          Pair::loose_sum(product_of<Pair>(ahead, g_[k]), product_of<Pair>(aside, across_axis[k])),
+          Pair::loose_sum(product_of<Pair>(ahead, g[k]), product_of<Pair>(aside, across_axis[k])),
           product_of<Pair>(pressed, n_[k]));
     });
   }
@@ -86,7 +90,7 @@ class SurfaceInPairs {
 
   const Vector& n_;
   const double friction_, brake_;
-  const Vector3<Component>& g_;
+  const Forward& forward_;
   const Vector3<Component>& force_;
 };
 
