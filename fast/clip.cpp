@@ -68,9 +68,10 @@ std::optional<DecidedClip> quick_clip(const ClipAsk& ask) {
   if (*clipping == Clipping::none) return stuck(ask, Stage::doubles);
   const auto forward = [&] { return force_ask.forward; };
   const SurfaceInPairs<Pair, double, decltype(forward)> in_pairs(force_ask, forward, force_ask.force);
-  const auto force = nearest_doubles(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping));
-  if (!force) return std::nullopt;
-  return DecidedClip{Clipped{Grip::slip, *force}, Stage::doubles, Stage::quick_pair};
+  Clipped clipped{Grip::slip, {}};
+  const double error = clip_error(force_ask, surface, *clipping);
+  if (!round_to_nearest(in_pairs.clipped(*clipping), error, clipped.force_in_wheel)) return std::nullopt;
+  return DecidedClip{clipped, Stage::doubles, Stage::quick_pair};
 }
 
 GROUNDTRUTH_FUSED std::optional<DecidedClip> fused_quick_clip(const ClipAsk& ask) {

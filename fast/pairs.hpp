@@ -42,7 +42,7 @@ Pair dot(const Vector3<A>& a, const Vector3<B>& b) {
 
 // a b - c d
 template <class Pair, class A, class B>
-Pair determinant(const A& a, const B& b, const A& c, const B& d) {
+[[gnu::always_inline]] inline Pair determinant(const A& a, const B& b, const A& c, const B& d) {
   return Pair::loose_sum(product_of<Pair>(a, b), -product_of<Pair>(c, d)).tidy();
 }
 
@@ -106,11 +106,15 @@ std::optional<double> nearest_double(const PairWith<Products>& x, double error) 
   const double low = x.high + (x.low - more), high = x.high + (x.low + more);
   return low == high && std::abs(low) >= 0x1p-900 && std::isfinite(low) ? std::optional(low) : std::nullopt;
 }
+// Whether all three are certain.
 template <class Pair>
-std::optional<Vector> nearest_doubles(const Vector3<Pair>& v, double error) {
-  const auto x = nearest_double(v[0], error), y = nearest_double(v[1], error), z = nearest_double(v[2], error);
-  if (!x || !y || !z) return std::nullopt;
-  return Vector{*x, *y, *z};
+bool round_to_nearest(const Vector3<Pair>& v, double error, Vector& nearest) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto rounded = nearest_double(v[k], error);
+    if (!rounded) return false;
+    nearest[k] = *rounded;
+  }
+  return true;
 }
 
 }  // namespace groundtruth::fast

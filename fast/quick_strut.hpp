@@ -1,9 +1,10 @@
 #pragma once
 // Where a wheel's strut meets the ground, in double-double under one bound for the ask. Not installed.
 
+#include <limits>
+
 #include <groundtruth/fast/quick_load.hpp>
 #include <groundtruth/fast/range_ends.hpp>
-#include <groundtruth/fast/step_strut.hpp>
 
 namespace groundtruth::fast {
 
@@ -11,14 +12,17 @@ namespace groundtruth::fast {
 template <class Pair>
 struct QuickOffset {
   Vector3<Pair> from_frame{};
-  double size = 0;  // >= its length
+  double size = 0;  // >= its length; infinite where no bound holds
 };
 
 template <class Pair>
 struct QuickLanding {
+  static constexpr std::size_t no_axis = 3;
+
   Vector3<Pair> from_frame_in_world;  // its place less the frame's, within `error`
-  double error;
-  std::optional<LevelCoordinate> level;
+  double error;                       // not finite where the plane is so steep that no bound holds
+  std::size_t level_axis = no_axis;   // to which the plane is square: there every point has this coordinate
+  double level = 0;
 };
 
 // Lemma strut-in-pairs, proofs-notes/rounding-of-forces.md, section 11.
@@ -47,41 +51,38 @@ class QuickStrut {
     return ends;
   }
 
-  // Nothing where the plane is so steep that the bound would not hold.
-  std::optional<QuickLanding<Pair>> landing_on(const HalfSpace& plane) const {
+  QuickLanding<Pair> landing_on(const HalfSpace& plane) const {
     const Vector& b = ask_.frame.position_in_world;
-    const auto level = level_coordinate(plane);
-    if (level) {
-      const std::size_t axis = level->axis;
-      const Pair height = Pair::sum(level->value, -b[axis]);
-      auto landing = landing_at(height - offset_.from_frame[axis], axes_.down()[axis], std::abs(height.high), 1);
-      if (!landing) return std::nullopt;
-      landing->level = level;
-      landing->from_frame_in_world[axis] = height;
+    const Vector& n = plane.normal;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::abs(n[axis]) != 1 || n[(axis + 1) % 3] != 0 || n[(axis + 2) % 3] != 0) continue;
+      const double level = n[axis] * plane.offset + 0.0;
+      const Pair height = Pair::sum(level, -b[axis]);
+      QuickLanding<Pair> landing =
+          landing_at(height - offset_.from_frame[axis], axes_.down()[axis], std::abs(height.high), 1);
+      landing.level_axis = axis;
+      landing.level = level;
       return landing;
     }
-    const Vector& n = plane.normal;
     const double n_size = sum_of_magnitudes(n);
-    if (!is_in_window(n_size)) return std::nullopt;
     const Pair height = (Pair(plane.offset) - dot<Pair>(n, b)) - dot<Pair>(n, offset_.from_frame);
     return landing_at(height, dot<Pair>(n, axes_.down()),
                       std::abs(plane.offset) / n_size + sum_of_magnitudes(b), n_size);
   }
 
  private:
-  std::optional<QuickLanding<Pair>> landing_at(const Pair& height, const Pair& slope, double plane_size,
-                                               double n_size) const {
+  QuickLanding<Pair> landing_at(const Pair& height, const Pair& slope, double plane_size, double n_size) const {
     const double inverse = 1 / slope.high;
     const double steepness = std::abs(n_size * axes_.norm_squared().high * inverse);
     const double size = plane_size + offset_.size;
-    if (!(steepness < 0x1p12 && size > 0x1p-200)) return std::nullopt;
+    const bool is_bound = steepness < 0x1p12 && size > 0x1p-200;
     const Pair way = quotient(height, slope, inverse);
     const auto axis = [&](std::size_t k) {
       return Pair::loose_sum(offset_.from_frame[k], product_of<Pair>(way, axes_.down()[k])).tidy();
     };
-    return QuickLanding<Pair>{{axis(0), axis(1), axis(2)},
-                              steepness * (0x1p-81 * offset_.size + 0x1p-94 * (steepness * plane_size)),
-                              std::nullopt};
+    return {{axis(0), axis(1), axis(2)},
+            is_bound ? steepness * (0x1p-81 * offset_.size + 0x1p-94 * (steepness * plane_size))
+                     : std::numeric_limits<double>::infinity()};
   }
 
   const StepAsk& ask_;

@@ -18,14 +18,11 @@ struct QuickTouch {
   const Friction* friction = nullptr;
   std::optional<double> maximum_force{};
 
-  Contact contact(Grip grip, const Vector& pebble_in_world, const Vector& pebble_velocity_in_world) const {
-    return {grip,
-            pebble_in_world,
-            pebble_velocity_in_world,
-            plane->normal,
-            friction->static_coefficient,
-            friction->dynamic_coefficient,
-            maximum_force};
+  void write(Contact& contact) const {
+    contact.normal_in_world = plane->normal;
+    contact.static_friction = friction->static_coefficient;
+    contact.dynamic_friction = friction->dynamic_coefficient;
+    contact.maximum_force = maximum_force;
   }
 };
 

@@ -15,15 +15,14 @@ StepAnswer exactly(const Scene& scene, const StepAsk& ask) {
   return exact_stage::step(scene, ground, ask);
 }
 
-GROUNDTRUTH_FUSED std::optional<StepAnswer> fused_answer(const Scene& scene, const StepAsk& ask) {
-  return QuickStep<FusedPair>(scene, ask).answer();
+GROUNDTRUTH_FUSED bool give_fused(const Scene& scene, const StepAsk& ask, StepAnswer& answer) {
+  return QuickStep<FusedPair>(scene, ask).give(answer);
 }
-GROUNDTRUTH_FLAT std::optional<StepAnswer> portable_answer(const Scene& scene, const StepAsk& ask) {
-  return QuickStep<Pair>(scene, ask).answer();
+GROUNDTRUTH_FLAT bool give_portable(const Scene& scene, const StepAsk& ask, StepAnswer& answer) {
+  return QuickStep<Pair>(scene, ask).give(answer);
 }
-
-std::optional<StepAnswer> quick_answer(const Scene& scene, const StepAsk& ask, Kernels kernels) {
-  return kernels == Kernels::fused ? fused_answer(scene, ask) : portable_answer(scene, ask);
+bool give_quickly(const Scene& scene, const StepAsk& ask, Kernels kernels, StepAnswer& answer) {
+  return kernels == Kernels::fused ? give_fused(scene, ask, answer) : give_portable(scene, ask, answer);
 }
 
 DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
@@ -37,13 +36,14 @@ DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
 }  // namespace
 
 DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels) {
-  auto quick = quick_answer(scene, ask, kernels);
-  if (quick) return {*std::move(quick), Stage::doubles, Stage::quick_pair};
+  DecidedStep quick{{}, Stage::doubles, Stage::quick_pair};
+  if (give_quickly(scene, ask, kernels, quick.answer)) return quick;
   return step_in_counted_pairs(scene, ask);
 }
 
 StepAnswer step(const Scene& scene, const StepAsk& ask) {
-  if (auto quick = quick_answer(scene, ask, best_kernels())) return *std::move(quick);
+  StepAnswer quick;
+  if (give_quickly(scene, ask, best_kernels(), quick)) return quick;
   return step_in_counted_pairs(scene, ask).answer;
 }
 
