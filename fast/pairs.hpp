@@ -40,12 +40,13 @@ Pair dot(const Vector3<A>& a, const Vector3<B>& b) {
   return Pair::loose_sum(first_two, product_of<Pair>(a[2], b[2])).tidy();
 }
 
-// a b - c d
+// a b - c d, loose: to be summed, multiplied or divided on, and made tidy then.
 template <class Pair, class A, class B>
 [[gnu::always_inline]] inline Pair determinant(const A& a, const B& b, const A& c, const B& d) {
-  return Pair::loose_sum(product_of<Pair>(a, b), -product_of<Pair>(c, d)).tidy();
+  return Pair::loose_sum(product_of<Pair>(a, b), -product_of<Pair>(c, d));
 }
 
+// Loose as well.
 template <class Pair, class A, class B>
 Vector3<Pair> cross(const Vector3<A>& a, const Vector3<B>& b) {
   return {determinant<Pair>(a[1], b[2], a[2], b[1]), determinant<Pair>(a[2], b[0], a[0], b[2]),

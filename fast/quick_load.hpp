@@ -35,7 +35,7 @@ class QuickAxes {
   }
 
  private:
-  static Pair twice(const Pair& a) { return {2 * a.high, 2 * a.low}; }
+  static Pair twice(const Pair& a) { return Pair(2 * a.high, 2 * a.low).tidy(); }
 
   const Quaternion& q_;
   Vector3<Pair> down_;
@@ -72,9 +72,11 @@ class QuickLoad {
   Vector3<Pair> force() const {
     const Wheel& wheel = ask_.wheel;
     const Pair& unit = axes_.norm_squared();
-    const Pair springs = Pair::sum(wheel.k_z, -wheel.k_xy) * depth_;
-    const Pair dampers = Pair::sum(wheel.d_z, -wheel.d_xy) * dot<Pair>(axes_.down(), velocity_);
-    const Pair along_strut = (springs + dampers) - Pair::product(wheel.k_z, wheel.z_zero) * unit;
+    const Pair springs = product_of<Pair>(Pair::sum(wheel.k_z, -wheel.k_xy), depth_);
+    const Pair dampers =
+        product_of<Pair>(Pair::sum(wheel.d_z, -wheel.d_xy), dot<Pair>(axes_.down(), velocity_));
+    const Pair at_rest = product_of<Pair>(Pair::product(wheel.k_z, wheel.z_zero), unit);
+    const Pair along_strut = Pair::loose_sum(Pair::loose_sum(springs, dampers), -at_rest);
     const Pair unit_squared = unit * unit;
     const Pair more = quotient(along_strut, unit_squared, 1 / unit_squared.high);
     const auto axis = [&](std::size_t k) {

@@ -169,7 +169,7 @@ class QuickStep {
       const double b = ask_.frame.position_in_world[k];
       const Pair& way = landing.from_frame_in_world[k];
       const double error = landing.error + 0x1p-100 * (std::abs(b) + std::abs(way.high));
-      const auto place = nearest_double(Pair(b) + way, error);
+      const auto place = nearest_double(Pair::loose_sum(b, way), error);
       if (!place) return false;
       pebble[k] = *place;
     }
@@ -184,7 +184,7 @@ class QuickStep {
       const bool is_level = k == landing.level_axis;
       const Pair& to = landing.from_frame_in_world[k];
       const Pair& from = load.arm()[k];
-      const Pair moved = is_level ? Pair::sum(landing.level, -contact.pebble_in_world[k]) : to - from;
+      const Pair moved = is_level ? Pair::sum(landing.level, -contact.pebble_in_world[k]) : Pair::loose_sum(to, -from);
       if (is_level && moved.high == 0) {
         velocity[k] = 0;
         continue;

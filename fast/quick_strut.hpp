@@ -19,7 +19,7 @@ template <class Pair>
 struct QuickLanding {
   static constexpr std::size_t no_axis = 3;
 
-  Vector3<Pair> from_frame_in_world;  // its place less the frame's, within `error`
+  Vector3<Pair> from_frame_in_world;  // its place less the frame's, within `error`; loose
   double error;                       // not finite where the plane is so steep that no bound holds
   std::size_t level_axis = no_axis;   // to which the plane is square: there every point has this coordinate
   double level = 0;
@@ -59,13 +59,14 @@ class QuickStrut {
       const double level = n[axis] * plane.offset + 0.0;
       const Pair height = Pair::sum(level, -b[axis]);
       QuickLanding<Pair> landing =
-          landing_at(height - offset_.from_frame[axis], axes_.down()[axis], std::abs(height.high), 1);
+          landing_at(Pair::loose_sum(height, -offset_.from_frame[axis]), axes_.down()[axis], std::abs(height.high), 1);
       landing.level_axis = axis;
       landing.level = level;
       return landing;
     }
     const double n_size = sum_of_magnitudes(n);
-    const Pair height = (Pair(plane.offset) - dot<Pair>(n, b)) - dot<Pair>(n, offset_.from_frame);
+    const Pair height = Pair::loose_sum(Pair::loose_sum(plane.offset, -dot<Pair>(n, b)),
+                                        -dot<Pair>(n, offset_.from_frame));
     return landing_at(height, dot<Pair>(n, axes_.down()),
                       std::abs(plane.offset) / n_size + sum_of_magnitudes(b), n_size);
   }
@@ -78,7 +79,7 @@ class QuickStrut {
     const bool is_bound = steepness < 0x1p12 && size > 0x1p-200;
     const Pair way = quotient(height, slope, inverse);
     const auto axis = [&](std::size_t k) {
-      return Pair::loose_sum(offset_.from_frame[k], product_of<Pair>(way, axes_.down()[k])).tidy();
+      return Pair::loose_sum(offset_.from_frame[k], product_of<Pair>(way, axes_.down()[k]));
     };
     return {{axis(0), axis(1), axis(2)},
             is_bound ? steepness * (0x1p-81 * offset_.size + 0x1p-94 * (steepness * plane_size))

@@ -23,6 +23,7 @@ class SurfaceInPairs {
   SurfaceInPairs(const ForceAsk& ask, const Forward& forward, const Vector3<Component>& force)
       : n_(ask.normal), friction_(ask.friction), brake_(ask.brake), forward_(forward), force_(force) {}
 
+  // Loose.
   Vector3<Pair> clipped(Clipping clipping) const {
     if (clipping == Clipping::onto_circle) return onto_circle();
     if (clipping == Clipping::onto_corner) return onto_corner();
@@ -34,8 +35,9 @@ class SurfaceInPairs {
     const auto g = forward_();
     const Pair g_squared = dot<Pair>(g, g), along = dot<Pair>(g, force_);
     const Root<Pair> length = square_root(g_squared);
-    const Pair missing = quotient(with_sign_of(along, brake_ * length.value) - along, g_squared,
-                                  length.inverse * length.inverse);
+    const Pair edge = with_sign_of(along, product_of<Pair>(brake_, length.value));
+    const Pair missing =
+        quotient(Pair::loose_sum(edge, -along), g_squared, length.inverse * length.inverse);
     return vector_of(
         [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g[k])); });
   }
@@ -51,10 +53,10 @@ class SurfaceInPairs {
   }
   Vector3<Pair> onto_corner() const {
     const auto g = forward_();
-    const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = friction_ * down;
+    const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = product_of<Pair>(friction_, down);
     const Root<Pair> length = square_root(dot<Pair>(g, g));
     const Root<Pair> corner =
-        square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared));
+        square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared).tidy());
     const double inverse = 1 / n_squared.high;
     const Pair across = dot<Pair>(g, cross<Pair>(n_, force_));
     const Pair ahead =
@@ -72,10 +74,11 @@ class SurfaceInPairs {
   Vector3<Pair> onto_circle() const {
     const Vector3<Pair> turning = cross<Pair>(n_, force_);
     const Pair down = dot<Pair>(n_, force_), n_squared = dot<Pair>(n_, n_);
-    const Pair limit = friction_ * (down.high < 0 ? -down : down);
+    const Pair limit = product_of<Pair>(friction_, down.high < 0 ? -down : down);
     const Root<Pair> turned = square_root(dot<Pair>(turning, turning));
     const Pair part = quotient(limit, turned.value, turned.inverse);
-    const Pair pressed = (Pair(1) - part) * quotient(down, n_squared, 1 / n_squared.high);
+    const Pair pressed =
+        product_of<Pair>(Pair::loose_sum(1, -part), quotient(down, n_squared, 1 / n_squared.high));
     return vector_of([&](std::size_t k) {
       return Pair::loose_sum(product_of<Pair>(part, force_[k]), product_of<Pair>(pressed, n_[k]));
     });
@@ -83,7 +86,7 @@ class SurfaceInPairs {
 
   template <class Axis>
   static Vector3<Pair> vector_of(const Axis& axis) {
-    return {axis(0).tidy(), axis(1).tidy(), axis(2).tidy()};
+    return {axis(0), axis(1), axis(2)};
   }
 
   static Pair with_sign_of(const Pair& sign, const Pair& x) { return sign.high < 0 ? -x : x; }
