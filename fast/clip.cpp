@@ -48,37 +48,49 @@ class CountedClip {
 // -0 is written 0.
 Vector without_signs_of_zeros(const Vector& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}; }
 
-DecidedClip stuck(const ClipAsk& ask, Stage stage) {
-  return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, stage, Stage::none};
-}
-
-// Decided in doubles, computed in pairs, under one bound.
+// Decided in doubles, computed in pairs, under one bound. False where something is uncertain; `answer` then
+// means nothing.
 template <class Pair>
-std::optional<DecidedClip> quick_clip(const ClipAsk& ask) {
+bool give_quickly(const ClipAsk& ask, ClipAnswer& answer) {
   const Vector& n = ask.normal_in_wheel;
-  const ForceAsk force_ask{n,           {-n[2], 0, n[0]}, ask.force_in_wheel, sum_of_magnitudes(ask.force_in_wheel),
-                           ask.friction, ask.brake};
+  const Vector& force = ask.force_in_wheel;
+  const Vector forward{-n[2], 0, n[0]};
+  const ForceAsk force_ask{n, forward, force, sum_of_magnitudes(force), ask.friction, ask.brake};
   const SurfaceInDoubles surface(force_ask);
-  if (!surface.is_usable(1)) return std::nullopt;
+  if (!surface.is_usable(1)) return false;
   const auto upright = is_upright(n[2], surface.n_squared(), ask.min_uprightness);
-  if (!upright) return std::nullopt;
-  if (!*upright) return DecidedClip{TooSteep{}, Stage::doubles, Stage::none};
+  if (!upright) return false;
+  if (!*upright) {
+    answer.emplace<TooSteep>();
+    return true;
+  }
   const auto clipping = surface.decide();
-  if (!clipping) return std::nullopt;
-  if (*clipping == Clipping::none) return stuck(ask, Stage::doubles);
-  const auto forward = [&] { return force_ask.forward; };
-  const SurfaceInPairs<Pair, double, decltype(forward)> in_pairs(force_ask, forward, force_ask.force);
-  Clipped clipped{Grip::slip, {}};
-  const double error = clip_error(force_ask, surface, *clipping);
-  if (!round_to_nearest(in_pairs.clipped(*clipping), error, clipped.force_in_wheel)) return std::nullopt;
-  return DecidedClip{clipped, Stage::doubles, Stage::quick_pair};
+  if (!clipping) return false;
+  Clipped& clipped = answer.emplace<Clipped>();
+  if (*clipping == Clipping::none) {
+    clipped.force_in_wheel = without_signs_of_zeros(force);
+    return true;
+  }
+  clipped.grip = Grip::slip;
+  const auto axis = [&]() -> const Vector& { return forward; };
+  const SurfaceInPairs<Pair, double, decltype(axis)> in_pairs(force_ask, axis, force);
+  return round_to_nearest(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
+                          clipped.force_in_wheel);
 }
 
-GROUNDTRUTH_FUSED std::optional<DecidedClip> fused_quick_clip(const ClipAsk& ask) {
-  return quick_clip<FusedPair>(ask);
+GROUNDTRUTH_FUSED bool give_fused(const ClipAsk& ask, ClipAnswer& answer) {
+  return give_quickly<FusedPair>(ask, answer);
 }
-GROUNDTRUTH_FLAT std::optional<DecidedClip> portable_quick_clip(const ClipAsk& ask) {
-  return quick_clip<Pair>(ask);
+GROUNDTRUTH_FLAT bool give_portable(const ClipAsk& ask, ClipAnswer& answer) {
+  return give_quickly<Pair>(ask, answer);
+}
+bool give_quickly(const ClipAsk& ask, Kernels kernels, ClipAnswer& answer) {
+  return kernels == Kernels::fused ? give_fused(ask, answer) : give_portable(ask, answer);
+}
+
+bool is_slip(const ClipAnswer& answer) {
+  const auto* clipped = std::get_if<Clipped>(&answer);
+  return clipped != nullptr && clipped->grip == Grip::slip;
 }
 
 DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
@@ -86,7 +98,8 @@ DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
   const auto decision = counted.decide();
   if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
   if (decision->is_too_steep) return {TooSteep{}, Stage::double_pair, Stage::none};
-  if (decision->clipping == Clipping::none) return stuck(ask, Stage::double_pair);
+  if (decision->clipping == Clipping::none)
+    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, Stage::double_pair, Stage::none};
   if (const auto force = counted.force(decision->clipping))
     return {Clipped{Grip::slip, *force}, Stage::double_pair, Stage::double_pair};
   return {exact_stage::clip(ask), Stage::double_pair, Stage::exact};
@@ -95,10 +108,16 @@ DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
 }  // namespace
 
 DecidedClip decide_clip(const ClipAsk& ask, Kernels kernels) {
-  const auto quick = kernels == Kernels::fused ? fused_quick_clip(ask) : portable_quick_clip(ask);
-  return quick ? *quick : clip_in_counted_pairs(ask);
+  DecidedClip quick{{}, Stage::doubles, Stage::none};
+  if (!give_quickly(ask, kernels, quick.answer)) return clip_in_counted_pairs(ask);
+  if (is_slip(quick.answer)) quick.force = Stage::quick_pair;
+  return quick;
 }
 
-ClipAnswer clip(const ClipAsk& ask) { return decide_clip(ask).answer; }
+ClipAnswer clip(const ClipAsk& ask) {
+  ClipAnswer quick;
+  if (give_quickly(ask, best_kernels(), quick)) return quick;
+  return clip_in_counted_pairs(ask).answer;
+}
 
 }  // namespace groundtruth::fast

@@ -32,7 +32,7 @@ class SurfaceInPairs {
 
  private:
   Vector3<Pair> corrected_to_band_edge() const {
-    const auto g = forward_();
+    const auto& g = forward_();
     const Pair g_squared = dot<Pair>(g, g), along = dot<Pair>(g, force_);
     const Root<Pair> length = square_root(g_squared);
     const Pair edge = with_sign_of(along, product_of<Pair>(brake_, length.value));
@@ -42,7 +42,7 @@ class SurfaceInPairs {
         [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g[k])); });
   }
   Vector3<Pair> projected_on_line() const {
-    const auto g = forward_();
+    const auto& g = forward_();
     const Pair n_squared = dot<Pair>(n_, n_), area_squared = dot<Pair>(g, g) * n_squared;
     const Pair aside = quotient(dot<Pair>(g, cross<Pair>(n_, force_)), area_squared, 1 / area_squared.high);
     const Pair pressed = quotient(dot<Pair>(n_, force_), n_squared, 1 / n_squared.high);
@@ -52,7 +52,7 @@ class SurfaceInPairs {
     });
   }
   Vector3<Pair> onto_corner() const {
-    const auto g = forward_();
+    const auto& g = forward_();
     const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = product_of<Pair>(friction_, down);
     const Root<Pair> length = square_root(dot<Pair>(g, g));
     const Root<Pair> corner =
