@@ -21,7 +21,7 @@ template <class Pair, class Component, class Forward>
 class SurfaceInPairs {
  public:
   SurfaceInPairs(const ForceAsk& ask, const Forward& forward, const Vector3<Component>& force)
-      : n_(ask.normal), friction_(ask.friction), brake_(ask.brake), forward_(forward), force_(force) {}
+      : ask_(ask), n_(ask.normal), friction_(ask.friction), brake_(ask.brake), forward_(forward), force_(force) {}
 
   // Loose.
   Vector3<Pair> clipped(Clipping clipping) const {
@@ -35,7 +35,7 @@ class SurfaceInPairs {
     const auto& g = forward_();
     const Pair g_squared = dot<Pair>(g, g), along = dot<Pair>(g, force_);
     const Root<Pair> length = square_root(g_squared);
-    const Pair edge = with_sign_of(along, product_of<Pair>(brake_, length.value));
+    const Pair edge = with_sign_of(along.high, product_of<Pair>(brake_, length.value));
     const Pair missing =
         quotient(Pair::loose_sum(edge, -along), g_squared, length.inverse * length.inverse);
     return vector_of(
@@ -58,9 +58,9 @@ class SurfaceInPairs {
     const Root<Pair> corner =
         square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared).tidy());
     const double inverse = 1 / n_squared.high;
-    const Pair across = dot<Pair>(g, cross<Pair>(n_, force_));
-    const Pair ahead =
-        with_sign_of(dot<Pair>(g, force_), quotient(Pair(brake_), length.value, length.inverse));
+    const double along = dot_in_doubles(ask_.forward, ask_.force);
+    const double across = dot_in_doubles(ask_.forward, cross_in_doubles(n_, ask_.force));
+    const Pair ahead = with_sign_of(along, quotient(Pair(brake_), length.value, length.inverse));
     const Pair aside = with_sign_of(
         across, quotient(corner.value, length.value * n_squared, length.inverse * inverse));
     const Pair pressed = quotient(down, n_squared, inverse);
@@ -89,8 +89,10 @@ class SurfaceInPairs {
     return {axis(0), axis(1), axis(2)};
   }
 
-  static Pair with_sign_of(const Pair& sign, const Pair& x) { return sign.high < 0 ? -x : x; }
+  // Where it matters the sign in doubles is right: lemma slip-signs.
+  static Pair with_sign_of(double sign, const Pair& x) { return sign < 0 ? -x : x; }
 
+  const ForceAsk& ask_;
   const Vector& n_;
   const double friction_, brake_;
   const Forward& forward_;
