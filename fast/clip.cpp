@@ -99,7 +99,8 @@ DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
   if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
   if (decision->is_too_steep) return {TooSteep{}, Stage::double_pair, Stage::none};
   if (decision->clipping == Clipping::none)
-    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, Stage::double_pair, Stage::none};
+    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, Stage::double_pair,
+            Stage::none};
   if (const auto force = counted.force(decision->clipping))
     return {Clipped{Grip::slip, *force}, Stage::double_pair, Stage::double_pair};
   return {exact_stage::clip(ask), Stage::double_pair, Stage::exact};

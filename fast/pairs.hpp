@@ -1,8 +1,8 @@
 #pragma once
 // Vectors of double-doubles, under one bound for a whole ask. Not installed.
 //
-// Each sum of products is off by at most 3 * 2^-102 of the sum of their magnitudes (lemmas pair-operations and
-// loose-pairs, proofs-notes/rounding-of-forces.md, section 2).
+// Each sum of products is off by at most 3 * 2^-102 of the sum of their magnitudes (lemmas pair-operations
+// and loose-pairs, proofs-notes/rounding-of-forces.md, section 2).
 
 #include <array>
 #include <cmath>
@@ -93,8 +93,12 @@ Vector highs_of(const Vector3<Real>& v) {
   return {high_of(v[0]), high_of(v[1]), high_of(v[2])};
 }
 
-inline double sum_of_magnitudes(const Vector& v) { return (std::abs(v[0]) + std::abs(v[1])) + std::abs(v[2]); }
-inline double dot_in_doubles(const Vector& a, const Vector& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+inline double sum_of_magnitudes(const Vector& v) {
+  return (std::abs(v[0]) + std::abs(v[1])) + std::abs(v[2]);
+}
+inline double dot_in_doubles(const Vector& a, const Vector& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
 inline Vector cross_in_doubles(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

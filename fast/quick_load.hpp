@@ -1,6 +1,6 @@
 #pragma once
-// A wheel in contact, and the force of its springs, in double-double under one bound for the ask (SPEC section
-// 5). Not installed.
+// A wheel in contact, and the force of its springs, in double-double under one bound for the ask (SPEC
+// section 5). Not installed.
 
 #include <groundtruth/fast/surface_in_pairs.hpp>
 #include <groundtruth/problem/answer.hpp>
@@ -80,7 +80,8 @@ class QuickLoad {
     const Pair unit_squared = unit * unit;
     const Pair more = quotient(along_strut, unit_squared, 1 / unit_squared.high);
     const auto axis = [&](std::size_t k) {
-      const Pair level = Pair::loose_sum(product_of<Pair>(wheel.k_xy, arm_[k]), product_of<Pair>(wheel.d_xy, velocity_[k]));
+      const Pair level =
+          Pair::loose_sum(product_of<Pair>(wheel.k_xy, arm_[k]), product_of<Pair>(wheel.d_xy, velocity_[k]));
       return Pair::loose_sum(level, product_of<Pair>(more, axes_.down()[k])).tidy();
     };
     return {axis(0), axis(1), axis(2)};

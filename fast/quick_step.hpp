@@ -48,19 +48,17 @@ class QuickStep {
   // Is the pebble at least that far down in the wheel? At exactly z_min: uncertain.
   std::optional<bool> reaches(const QuickLoad<Pair>& load, double z) const {
     const double unit = axes_.norm_squared().high, depth = load.depth().high, limit = unit * z;
-    return is_at_most(limit, depth,
-                      (std::abs(limit) + std::abs(depth)) + 0x1p-40 * (unit * load.arm_size()));
+    return is_at_most(limit, depth, (std::abs(limit) + std::abs(depth)) + 0x1p-40 * (unit * load.arm_size()));
   }
 
   bool give_under(const Contact& contact, const QuickLoad<Pair>& load, StepAnswer& answer) const {
     const Vector3<Pair> force = load.force();
-    const ForceAsk force_ask{
-        contact.normal_in_world,
-        cross_in_doubles(contact.normal_in_world, axes_.rightward_in_doubles()),
-        highs_of(force),
-        load.force_size(),
-        contact.grip == Grip::stick ? contact.static_friction : contact.dynamic_friction,
-        ask_.brake};
+    const ForceAsk force_ask{contact.normal_in_world,
+                             cross_in_doubles(contact.normal_in_world, axes_.rightward_in_doubles()),
+                             highs_of(force),
+                             load.force_size(),
+                             contact.grip == Grip::stick ? contact.static_friction : contact.dynamic_friction,
+                             ask_.brake};
     const SurfaceInDoubles surface(force_ask);
     const double unit = axes_.norm_squared().high;
     if (!surface.is_usable(unit * unit)) return false;
@@ -77,7 +75,8 @@ class QuickStep {
     if (*clipping == Clipping::none) return give_stick(contact, force, force_ask.force_size, answer);
     const auto forward = [&] { return cross<Pair>(contact.normal_in_world, axes_.rightward()); };
     const SurfaceInPairs<Pair, Pair, decltype(forward)> in_pairs(force_ask, forward, force);
-    return give_slip(contact, load, in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping), answer);
+    return give_slip(contact, load, in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
+                     answer);
   }
 
   static bool give_stick(const Contact& contact, const Vector3<Pair>& force, double force_size,
@@ -89,8 +88,8 @@ class QuickStep {
     return write_opposite(force, 0x1p-90 * force_size, stepped.force_on_frame_in_world);
   }
 
-  bool give_slip(const Contact& contact, const QuickLoad<Pair>& load, const Vector3<Pair>& clipped, double error,
-                 StepAnswer& answer) const {
+  bool give_slip(const Contact& contact, const QuickLoad<Pair>& load, const Vector3<Pair>& clipped,
+                 double error, StepAnswer& answer) const {
     Vector force_on_frame;
     if (!write_opposite(clipped, error, force_on_frame)) return false;
     const QuickOffset<Pair> offset = relocated(load, clipped, error);
@@ -116,7 +115,8 @@ class QuickStep {
     answer.emplace<Stepped>().force_on_frame_in_world = force_on_frame;
     return true;
   }
-  static bool give_without_landing(const QuickTouch& touch, const Vector& force_on_frame, StepAnswer& answer) {
+  static bool give_without_landing(const QuickTouch& touch, const Vector& force_on_frame,
+                                   StepAnswer& answer) {
     if (touch.kind == QuickTouch::broken) return give_failure(StepFailure::wheel_broken, answer);
     if (touch.kind == QuickTouch::too_steep) return give_failure(StepFailure::surface_too_steep, answer);
     return give_free(force_on_frame, answer);
@@ -139,8 +139,7 @@ class QuickStep {
       return quotient(h * clipped[k] + d_xy * moved, stiffness, inverse);
     };
     const double moved_size = load.arm_size() + h * load.velocity_size();
-    return {{axis(0), axis(1), axis(2)},
-            std::abs((h * force_scale + std::abs(d_xy) * moved_size) * inverse)};
+    return {{axis(0), axis(1), axis(2)}, std::abs((h * force_scale + std::abs(d_xy) * moved_size) * inverse)};
   }
 
   // Where a contact would be refused, nothing: the reason is for others to give.
@@ -184,12 +183,14 @@ class QuickStep {
       const bool is_level = k == landing.level_axis;
       const Pair& to = landing.from_frame_in_world[k];
       const Pair& from = load.arm()[k];
-      const Pair moved = is_level ? Pair::sum(landing.level, -contact.pebble_in_world[k]) : Pair::loose_sum(to, -from);
+      const Pair moved =
+          is_level ? Pair::sum(landing.level, -contact.pebble_in_world[k]) : Pair::loose_sum(to, -from);
       if (is_level && moved.high == 0) {
         velocity[k] = 0;
         continue;
       }
-      const double of_ends = is_level ? 0 : landing.error + 0x1p-97 * (std::abs(to.high) + std::abs(from.high));
+      const double of_ends =
+          is_level ? 0 : landing.error + 0x1p-97 * (std::abs(to.high) + std::abs(from.high));
       const double error = of_ends + 0x1p-97 * std::abs(moved.high);
       const auto speed = nearest_double(quotient(moved, Pair(h), inverse), 2 * (error * inverse));
       if (!speed) return false;

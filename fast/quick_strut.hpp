@@ -58,21 +58,22 @@ class QuickStrut {
       if (std::abs(n[axis]) != 1 || n[(axis + 1) % 3] != 0 || n[(axis + 2) % 3] != 0) continue;
       const double level = n[axis] * plane.offset + 0.0;
       const Pair height = Pair::sum(level, -b[axis]);
-      QuickLanding<Pair> landing =
-          landing_at(Pair::loose_sum(height, -offset_.from_frame[axis]), axes_.down()[axis], std::abs(height.high), 1);
+      QuickLanding<Pair> landing = landing_at(Pair::loose_sum(height, -offset_.from_frame[axis]),
+                                              axes_.down()[axis], std::abs(height.high), 1);
       landing.level_axis = axis;
       landing.level = level;
       return landing;
     }
     const double n_size = sum_of_magnitudes(n);
-    const Pair height = Pair::loose_sum(Pair::loose_sum(plane.offset, -dot<Pair>(n, b)),
-                                        -dot<Pair>(n, offset_.from_frame));
+    const Pair height =
+        Pair::loose_sum(Pair::loose_sum(plane.offset, -dot<Pair>(n, b)), -dot<Pair>(n, offset_.from_frame));
     return landing_at(height, dot<Pair>(n, axes_.down()),
                       std::abs(plane.offset) / n_size + sum_of_magnitudes(b), n_size);
   }
 
  private:
-  QuickLanding<Pair> landing_at(const Pair& height, const Pair& slope, double plane_size, double n_size) const {
+  QuickLanding<Pair> landing_at(const Pair& height, const Pair& slope, double plane_size,
+                                double n_size) const {
     const double inverse = 1 / slope.high;
     const double steepness = std::abs(n_size * axes_.norm_squared().high * inverse);
     const double size = plane_size + offset_.size;

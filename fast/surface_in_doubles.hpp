@@ -82,8 +82,7 @@ class SurfaceInDoubles {
     if (!within_band) return std::nullopt;
     if (!*within_band) return decide_slip(along_squared);
     const double turning_squared = dot_in_doubles(turning_, turning_), limit = limit_squared();
-    const auto within_disc =
-        is_at_most(turning_squared, limit, (turning_squared + limit) + disc_floor());
+    const auto within_disc = is_at_most(turning_squared, limit, (turning_squared + limit) + disc_floor());
     if (!within_disc) return std::nullopt;
     return *within_disc ? Clipping::none : decide_slip(along_squared);
   }

@@ -5,23 +5,27 @@
 
 namespace groundtruth::fast {
 
-// Lemma clip-in-pairs (proofs-notes/rounding-of-forces.md, section 9): what clipped() is off by, of a force and
-// a forward axis within 2^-95 force_size and 2^-90 of its length. Requires a clipping that SurfaceInDoubles
-// has decided.
+// Lemma clip-in-pairs (proofs-notes/rounding-of-forces.md, section 9): what clipped() is off by, of a force
+// and a forward axis within 2^-95 force_size and 2^-90 of its length. Requires a clipping that
+// SurfaceInDoubles has decided.
 inline double clip_error(const ForceAsk& ask, const SurfaceInDoubles& decided, Clipping clipping) {
-  const double of_disc = clipping == Clipping::onto_corner
-                             ? ask.friction * (1 + decided.corner_condition())
-                             : ask.friction;
+  const double of_disc =
+      clipping == Clipping::onto_corner ? ask.friction * (1 + decided.corner_condition()) : ask.friction;
   return 0x1p-84 * (ask.force_size * (1 + of_disc));
 }
 
-// Component: a double or a pair. Forward: gives the forward axis, which not every clipping needs. Formulas: lemma
-// clipping-without-axes, as in ForceOnSurface (surface.hpp).
+// Component: a double or a pair. Forward: gives the forward axis, which not every clipping needs. Formulas:
+// lemma clipping-without-axes, as in ForceOnSurface (surface.hpp).
 template <class Pair, class Component, class Forward>
 class SurfaceInPairs {
  public:
   SurfaceInPairs(const ForceAsk& ask, const Forward& forward, const Vector3<Component>& force)
-      : ask_(ask), n_(ask.normal), friction_(ask.friction), brake_(ask.brake), forward_(forward), force_(force) {}
+      : ask_(ask),
+        n_(ask.normal),
+        friction_(ask.friction),
+        brake_(ask.brake),
+        forward_(forward),
+        force_(force) {}
 
   // Loose.
   Vector3<Pair> clipped(Clipping clipping) const {
@@ -36,8 +40,7 @@ class SurfaceInPairs {
     const Pair g_squared = dot<Pair>(g, g), along = dot<Pair>(g, force_);
     const Root<Pair> length = square_root(g_squared);
     const Pair edge = with_sign_of(along.high, product_of<Pair>(brake_, length.value));
-    const Pair missing =
-        quotient(Pair::loose_sum(edge, -along), g_squared, length.inverse * length.inverse);
+    const Pair missing = quotient(Pair::loose_sum(edge, -along), g_squared, length.inverse * length.inverse);
     return vector_of(
         [&](std::size_t k) { return Pair::loose_sum(force_[k], product_of<Pair>(missing, g[k])); });
   }
@@ -53,7 +56,8 @@ class SurfaceInPairs {
   }
   Vector3<Pair> onto_corner() const {
     const auto& g = forward_();
-    const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_), limit = product_of<Pair>(friction_, down);
+    const Pair n_squared = dot<Pair>(n_, n_), down = dot<Pair>(n_, force_),
+               limit = product_of<Pair>(friction_, down);
     const Root<Pair> length = square_root(dot<Pair>(g, g));
     const Root<Pair> corner =
         square_root(determinant<Pair>(limit, limit, product_of<Pair>(brake_, brake_), n_squared).tidy());
@@ -61,8 +65,8 @@ class SurfaceInPairs {
     const double along = dot_in_doubles(ask_.forward, ask_.force);
     const double across = dot_in_doubles(ask_.forward, cross_in_doubles(n_, ask_.force));
     const Pair ahead = with_sign_of(along, quotient(Pair(brake_), length.value, length.inverse));
-    const Pair aside = with_sign_of(
-        across, quotient(corner.value, length.value * n_squared, length.inverse * inverse));
+    const Pair aside =
+        with_sign_of(across, quotient(corner.value, length.value * n_squared, length.inverse * inverse));
     const Pair pressed = quotient(down, n_squared, inverse);
     const Vector3<Pair> across_axis = cross<Pair>(g, n_);
     return vector_of([&](std::size_t k) {
