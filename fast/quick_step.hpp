@@ -48,7 +48,8 @@ class QuickStep {
   // Is the pebble at least that far down in the wheel? At exactly z_min: uncertain.
   std::optional<bool> reaches(const QuickLoad<Pair>& load, double z) const {
     const double unit = axes_.norm_squared().high, depth = load.depth().high, limit = unit * z;
-    return is_at_most(limit, depth, (std::abs(limit) + std::abs(depth)) + 0x1p-40 * (unit * load.arm_size()));
+    return is_at_most(limit, depth,
+                      (std::abs(limit) + std::abs(depth)) + (0x1p-40 * (unit * load.arm_size()) + 0x1p-900));
   }
 
   bool give_under(const Contact& contact, const QuickLoad<Pair>& load, StepAnswer& answer) const {
@@ -191,7 +192,7 @@ class QuickStep {
       }
       const double of_ends =
           is_level ? 0 : landing.error + 0x1p-97 * (std::abs(to.high) + std::abs(from.high));
-      const double error = of_ends + 0x1p-97 * std::abs(moved.high);
+      const double error = of_ends + (0x1p-97 * std::abs(moved.high) + 0x1p-1000);
       const auto speed = nearest_double(quotient(moved, Pair(h), inverse), 2 * (error * inverse));
       if (!speed) return false;
       velocity[k] = *speed;
