@@ -3,6 +3,7 @@
 #include <groundtruth/fast/clip_decided.hpp>
 #include <groundtruth/fast/exact_stage/clip.hpp>
 #include <groundtruth/fast/surface.hpp>
+#include <groundtruth/fast/surface_in_pairs.hpp>
 
 namespace groundtruth::fast {
 
@@ -44,46 +45,80 @@ class CountedClip {
   const ForceOnSurface<Real, 0, 0, 0> on_surface_;
 };
 
-GROUNDTRUTH_FLAT std::optional<Decision> decide_in_doubles(const ClipAsk& ask) {
-  return CountedClip<double>(ask).decide();
-}
-
-GROUNDTRUTH_FUSED std::optional<Vector> fused_force(const ClipAsk& ask, Clipping clipping) {
-  return CountedClip<FusedPair>(ask).force(clipping);
-}
-
-struct RoundedForce {
-  std::optional<Vector> force;  // absent: uncertain
-  Stage stage = Stage::exact;
-};
-
-RoundedForce rounded_force(const ClipAsk& ask, Clipping clipping, Kernels kernels) {
-  if (kernels == Kernels::fused) return {fused_force(ask, clipping), Stage::double_pair};
-  if (const auto force = CountedClip<Extended>(ask).force(clipping)) return {force, Stage::extended};
-  return {CountedClip<Pair>(ask).force(clipping), Stage::double_pair};
-}
-
 // -0 is written 0.
 Vector without_signs_of_zeros(const Vector& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}; }
+
+// Decided in doubles, computed in pairs, under one bound. False where something is uncertain; `answer` then
+// means nothing.
+template <class Pair>
+bool give_quickly(const ClipAsk& ask, ClipAnswer& answer) {
+  const Vector& n = ask.normal_in_wheel;
+  const Vector& force = ask.force_in_wheel;
+  const Vector forward{-n[2], 0, n[0]};
+  const ForceAsk force_ask{n, forward, force, sum_of_magnitudes(force), ask.friction, ask.brake};
+  const SurfaceInDoubles surface(force_ask);
+  if (!surface.is_usable(1)) return false;
+  const auto upright = is_upright(n[2], surface.n_squared(), ask.min_uprightness);
+  if (!upright) return false;
+  if (!*upright) {
+    answer.emplace<TooSteep>();
+    return true;
+  }
+  const auto clipping = surface.decide();
+  if (!clipping) return false;
+  Clipped& clipped = answer.emplace<Clipped>();
+  if (*clipping == Clipping::none) {
+    clipped.force_in_wheel = without_signs_of_zeros(force);
+    return true;
+  }
+  clipped.grip = Grip::slip;
+  const auto axis = [&]() -> const Vector& { return forward; };
+  const SurfaceInPairs<Pair, double, decltype(axis)> in_pairs(force_ask, axis, force);
+  return round_to_nearest(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
+                          clipped.force_in_wheel);
+}
+
+GROUNDTRUTH_FUSED bool give_fused(const ClipAsk& ask, ClipAnswer& answer) {
+  return give_quickly<FusedPair>(ask, answer);
+}
+GROUNDTRUTH_FLAT bool give_portable(const ClipAsk& ask, ClipAnswer& answer) {
+  return give_quickly<Pair>(ask, answer);
+}
+bool give_quickly(const ClipAsk& ask, Kernels kernels, ClipAnswer& answer) {
+  return kernels == Kernels::fused ? give_fused(ask, answer) : give_portable(ask, answer);
+}
+
+bool is_slip(const ClipAnswer& answer) {
+  const auto* clipped = std::get_if<Clipped>(&answer);
+  return clipped != nullptr && clipped->grip == Grip::slip;
+}
+
+DecidedClip clip_in_counted_pairs(const ClipAsk& ask) {
+  const CountedClip<Pair> counted(ask);
+  const auto decision = counted.decide();
+  if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
+  if (decision->is_too_steep) return {TooSteep{}, Stage::double_pair, Stage::none};
+  if (decision->clipping == Clipping::none)
+    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, Stage::double_pair,
+            Stage::none};
+  if (const auto force = counted.force(decision->clipping))
+    return {Clipped{Grip::slip, *force}, Stage::double_pair, Stage::double_pair};
+  return {exact_stage::clip(ask), Stage::double_pair, Stage::exact};
+}
 
 }  // namespace
 
 DecidedClip decide_clip(const ClipAsk& ask, Kernels kernels) {
-  Stage stage = Stage::doubles;
-  auto decision = decide_in_doubles(ask);
-  if (!decision) {
-    stage = Stage::double_pair;
-    decision = CountedClip<Pair>(ask).decide();
-  }
-  if (!decision) return {exact_stage::clip(ask), Stage::exact, Stage::exact};
-  if (decision->is_too_steep) return {TooSteep{}, stage, Stage::none};
-  if (decision->clipping == Clipping::none)
-    return {Clipped{Grip::stick, without_signs_of_zeros(ask.force_in_wheel)}, stage, Stage::none};
-  const RoundedForce rounded = rounded_force(ask, decision->clipping, kernels);
-  if (rounded.force) return {Clipped{Grip::slip, *rounded.force}, stage, rounded.stage};
-  return {exact_stage::clip(ask), stage, Stage::exact};
+  DecidedClip quick{{}, Stage::doubles, Stage::none};
+  if (!give_quickly(ask, kernels, quick.answer)) return clip_in_counted_pairs(ask);
+  if (is_slip(quick.answer)) quick.force = Stage::quick_pair;
+  return quick;
 }
 
-ClipAnswer clip(const ClipAsk& ask) { return decide_clip(ask).answer; }
+ClipAnswer clip(const ClipAsk& ask) {
+  ClipAnswer quick;
+  if (give_quickly(ask, best_kernels(), quick)) return quick;
+  return clip_in_counted_pairs(ask).answer;
+}
 
 }  // namespace groundtruth::fast

@@ -10,18 +10,12 @@
 
 namespace groundtruth::fast {
 
-using Extended = long double;
-static_assert(std::numeric_limits<Extended>::digits >= 64, "fast needs a number longer than double");
-static_assert(std::numeric_limits<Extended>::max_exponent >= 16384, "fast needs a number wider than double");
-
 // Each operation of the type is off by at most this part of its result, or of the sum of its terms'
 // magnitudes.
 template <class Real>
 inline constexpr double unit_of = 0;
 template <>
 inline constexpr double unit_of<double> = 0x1p-53;
-template <>
-inline constexpr double unit_of<Extended> = 0x1p-64;
 template <class Products>
 inline constexpr double unit_of<PairWith<Products>> = 0x1p-102;
 
@@ -132,7 +126,6 @@ Counted<Real, m + n + 2> operator/(const Counted<Real, m>& a, const Counted<Real
 }
 
 inline double root_of(double x) { return std::sqrt(x); }
-inline Extended root_of(Extended x) { return std::sqrt(x); }
 template <class Products>
 PairWith<Products> root_of(const PairWith<Products>& x) {
   return sqrt(x);
@@ -160,13 +153,6 @@ Sign sign_of(const Counted<Real, n>& a) {
 }
 
 // The double nearest to the exact number; nothing if that is uncertain or not finite.
-template <int n>
-std::optional<double> nearest_double(const Counted<Extended, n>& a) {
-  if (a.size == 0) return 0.0;
-  const Extended error = Extended(a.error()) + std::abs(a.value) * 0x1p-63L;
-  const auto low = static_cast<double>(a.value - error), high = static_cast<double>(a.value + error);
-  return low == high && std::isfinite(low) ? std::optional(low + 0.0) : std::nullopt;
-}
 template <class Products, int n>
 std::optional<double> nearest_double(const Counted<PairWith<Products>, n>& a) {
   if (a.size == 0) return 0.0;

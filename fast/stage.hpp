@@ -8,8 +8,8 @@ namespace groundtruth::fast {
 enum class Stage : std::uint8_t {
   none,         // there was nothing to decide
   doubles,      // with a proven bound
-  extended,     // in long double, with a proven bound
-  double_pair,  // in double-double, with a proven bound
+  quick_pair,   // in double-double, with a proven bound for the whole ask
+  double_pair,  // in double-double, with a proven bound for each number
   exact
 };
 

@@ -1,6 +1,7 @@
 #include <groundtruth/fast/step.hpp>
 
 #include <groundtruth/fast/exact_stage/step.hpp>
+#include <groundtruth/fast/quick_step.hpp>
 #include <groundtruth/fast/step_decided.hpp>
 #include <groundtruth/fast/step_ground.hpp>
 #include <groundtruth/fast/step_numbers.hpp>
@@ -14,28 +15,36 @@ StepAnswer exactly(const Scene& scene, const StepAsk& ask) {
   return exact_stage::step(scene, ground, ask);
 }
 
-GROUNDTRUTH_FUSED std::optional<StepAnswer> fused_answer(const StepAsk& ask, const StepPlan& plan) {
-  return StepNumbers<FusedPair>(ask, plan).answer();
+GROUNDTRUTH_FUSED bool give_fused(const Scene& scene, const StepAsk& ask, StepAnswer& answer) {
+  return QuickStep<FusedPair>(scene, ask).give(answer);
+}
+GROUNDTRUTH_FLAT bool give_portable(const Scene& scene, const StepAsk& ask, StepAnswer& answer) {
+  return QuickStep<Pair>(scene, ask).give(answer);
+}
+bool give_quickly(const Scene& scene, const StepAsk& ask, Kernels kernels, StepAnswer& answer) {
+  return kernels == Kernels::fused ? give_fused(scene, ask, answer) : give_portable(scene, ask, answer);
 }
 
-std::optional<StepAnswer> rounded_answer(const StepAsk& ask, const StepPlan& plan, Kernels kernels) {
-  return kernels == Kernels::fused ? fused_answer(ask, plan) : StepNumbers<Pair>(ask, plan).answer();
+DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
+  const auto plan = StepPlanner<Pair>(scene, ask).plan();
+  if (!plan) return {exactly(scene, ask), Stage::exact, Stage::exact};
+  if (const auto answer = StepNumbers<Pair>(ask, *plan).answer())
+    return {*answer, Stage::double_pair, Stage::double_pair};
+  return {exactly(scene, ask), Stage::double_pair, Stage::exact};
 }
 
 }  // namespace
 
 DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels) {
-  Stage stage = Stage::doubles;
-  auto plan = StepPlanner<double>(scene, ask).plan();
-  if (!plan) {
-    stage = Stage::double_pair;
-    plan = StepPlanner<Pair>(scene, ask).plan();
-  }
-  if (!plan) return {exactly(scene, ask), Stage::exact, Stage::exact};
-  if (const auto answer = rounded_answer(ask, *plan, kernels)) return {*answer, stage, Stage::double_pair};
-  return {exactly(scene, ask), stage, Stage::exact};
+  DecidedStep quick{{}, Stage::doubles, Stage::quick_pair};
+  if (give_quickly(scene, ask, kernels, quick.answer)) return quick;
+  return step_in_counted_pairs(scene, ask);
 }
 
-StepAnswer step(const Scene& scene, const StepAsk& ask) { return decide_step(scene, ask).answer; }
+StepAnswer step(const Scene& scene, const StepAsk& ask) {
+  StepAnswer quick;
+  if (give_quickly(scene, ask, best_kernels(), quick)) return quick;
+  return step_in_counted_pairs(scene, ask).answer;
+}
 
 }  // namespace groundtruth::fast

@@ -1,5 +1,6 @@
 #include <groundtruth/fast/step_ground.hpp>
 
+#include <groundtruth/fast/quick_touch.hpp>
 #include <groundtruth/fast/step_strut.hpp>
 
 namespace groundtruth::fast {
@@ -16,6 +17,26 @@ std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
   const auto material = material_by_doubles(scene, probe, place);
   if (!material) return std::nullopt;
   return FaceFound{face.leaf, *material};
+}
+
+std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre) {
+  const auto found = face_along(scene, ends);
+  if (!found) return std::nullopt;
+  QuickTouch touch;
+  if (std::holds_alternative<NoContact>(*found)) return touch;
+  if (std::holds_alternative<StepFailure>(*found)) {
+    touch.kind = QuickTouch::broken;
+    return touch;
+  }
+  const auto& face = std::get<FaceFound>(*found);
+  touch.kind = QuickTouch::surface;
+  touch.plane = &scene.solid().leaves[face.leaf];
+  if (!face.material) return touch;
+  const Material& material = scene.materials()[*face.material];
+  touch.maximum_force = material.maximum_force;
+  const auto friction = material.friction_by_tyre.find(tyre);
+  if (friction != material.friction_by_tyre.end()) touch.friction = &friction->second;
+  return touch;
 }
 
 exact_stage::ExpressionView SolidAlongStrut::along(const RangeEnds& ends) {

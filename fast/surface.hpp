@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include <groundtruth/fast/clipping.hpp>
 #include <groundtruth/fast/number_counted.hpp>
 #include <groundtruth/problem/ask.hpp>
 
@@ -98,9 +99,6 @@ struct Grasp {
   Counted<Real, 0> friction;
   Counted<Real, b> brake;
 };
-
-// What a clip does: SPEC section 4, stick and cases 1 to 3 of slip.
-enum class Clipping { none, onto_band_edge, onto_corner, onto_circle };
 
 // The force along a surface with normal n. `forward`, g, is a positive multiple of X (SPEC section 4):
 //   along   = F'_x |g|

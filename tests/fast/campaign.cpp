@@ -21,7 +21,7 @@
 namespace groundtruth {
 namespace {
 
-constexpr std::array stage_names{"none", "doubles", "extended", "double-double", "exact"};
+constexpr std::array stage_names{"none", "doubles", "quick pairs", "double-double", "exact"};
 using Histogram = std::array<std::uint64_t, stage_names.size()>;
 
 struct Tally {

@@ -21,19 +21,35 @@ void expect_stages(const ClipAsk& ask, Stage decisions, Stage force) {
   if (best_kernels() == Kernels::portable) return;
   const DecidedClip fused = decide_clip(ask, Kernels::fused);
   EXPECT_EQ(fused.decisions, decisions);
-  EXPECT_EQ(fused.force, force == Stage::extended ? Stage::double_pair : force);
+  EXPECT_EQ(fused.force, force);
   EXPECT_EQ(fused.answer, got.answer);
 }
 
 TEST(FastClipStages, DoublesDecideWhatIsClear) {
   expect_stages({{1, 2, -30}, tilted, 0.5, 5}, Stage::doubles, Stage::none);
   expect_stages({{1, 2, -30}, {1, 0, 0.5}, 0.5, 5}, Stage::doubles, Stage::none);
-  expect_stages({{10, 2, -30}, tilted, 0.5, 5}, Stage::doubles, Stage::extended);
+  expect_stages({{10, 2, -30}, tilted, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{30, 9, -30}, tilted, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{20, 90, -30}, tilted, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{20, 30, -30}, tilted, 0.5, 50}, Stage::doubles, Stage::quick_pair);
+}
+
+TEST(FastClipStages, NumbersSmallBesideTheForceAreRoundedInCountedPairs) {
+  expect_stages({{10, 0x1p-60, -30}, level, 0.5, 5}, Stage::double_pair, Stage::double_pair);
+}
+
+TEST(FastClipStages, SurfacesSteepAcrossTheWheelAreLeftToCountedPairs) {
+  expect_stages({{10, 2, -30}, {0, 5, -1}, 0.5, 50}, Stage::double_pair, Stage::double_pair);
+}
+
+TEST(FastClipStages, SizesFarFromOneAreLeftToCountedPairs) {
+  for (const double size : {0x1p-120, 0x1p120})
+    expect_stages({{size, 2 * size, -30 * size}, tilted, 0.5, 5 * size}, Stage::double_pair, Stage::none);
 }
 
 TEST(FastClipStages, PairsDecideWhatIsNearABorder) {
   const double above = std::nextafter(4.0, 5.0);
-  expect_stages({{3, above, -10}, level, 0.5, 6}, Stage::double_pair, Stage::extended);
+  expect_stages({{3, above, -10}, level, 0.5, 6}, Stage::double_pair, Stage::double_pair);
   expect_stages({{3, std::nextafter(4.0, 3.0), -10}, level, 0.5, 6}, Stage::double_pair, Stage::none);
 }
 
@@ -44,28 +60,29 @@ TEST(FastClipStages, BordersAreDecidedExactly) {
 }
 
 TEST(FastClipStages, WithoutABrakeThereIsNothingToRound) {
-  expect_stages({{0, 3, -10}, level, 0.5, 0}, Stage::doubles, Stage::none);
-  expect_stages({{0x1p-40, 3, -10}, level, 0.5, 0}, Stage::doubles, Stage::extended);
+  expect_stages({{0, 3, -10}, level, 0.5, 0}, Stage::double_pair, Stage::none);
+  expect_stages({{0x1p-40, 3, -10}, level, 0.5, 0}, Stage::double_pair, Stage::double_pair);
 }
 
-TEST(FastClipStages, ForcesBetweenDoublesAreRoundedInPairsOrExactly) {
+TEST(FastClipStages, RandomForcesAreQuick) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  std::size_t pairs = 0;
+  std::size_t quick = 0;
   for (int i = 0; i < 20000; ++i) {
     const ClipAsk ask{{uniform(random), uniform(random), uniform(random)},
                       {0.3 * uniform(random), 0.3 * uniform(random), -1},
                       0.5,
                       std::abs(uniform(random))};
     const DecidedClip got = decide_clip(ask, Kernels::portable);
-    ASSERT_EQ(got.decisions, Stage::doubles);
-    ASSERT_NE(got.force, Stage::exact);
-    pairs += got.force == Stage::double_pair;
+    quick += got.decisions == Stage::doubles;
     ASSERT_EQ(got.answer, exact_stage::clip(ask));
   }
-  EXPECT_GT(pairs, 1000u);
+  EXPECT_GT(quick, 19990u);
+}
+
+TEST(FastClipStages, ForcesBetweenDoublesAreRoundedExactly) {
   // The half of 1 + 2^-52 lies between two doubles, and mu N = 1/2 exactly.
-  expect_stages({{0, 8, -1 - 0x1p-52}, level, 0x1.8p-1, 0}, Stage::doubles, Stage::exact);
+  expect_stages({{0, 8, -1 - 0x1p-52}, level, 0x1.8p-1, 0}, Stage::double_pair, Stage::exact);
 }
 
 double any_double(std::mt19937_64& random) {

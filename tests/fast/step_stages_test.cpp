@@ -60,10 +60,37 @@ StepAsk in_contact(Vector pebble) {
   return ask;
 }
 
-TEST(FastStepStages, OrdinaryStepsAreDecidedInDoublesAndComputedInPairs) {
-  expect_stages(flat(), above_ground(), Stage::doubles, Stage::double_pair);
-  expect_stages(flat(), in_contact({3.3, 0.2, 0}), Stage::doubles, Stage::double_pair);
-  expect_stages(runway(), in_contact({3.5, 0.3, 0}), Stage::doubles, Stage::double_pair);
+TEST(FastStepStages, OrdinaryStepsAreQuick) {
+  expect_stages(flat(), above_ground(), Stage::doubles, Stage::quick_pair);
+  expect_stages(flat(), in_contact({3.3, 0.2, 0}), Stage::doubles, Stage::quick_pair);
+  expect_stages(runway(), in_contact({3.5, 0.3, 0}), Stage::doubles, Stage::quick_pair);
+}
+
+TEST(FastStepStages, EachClippingIsQuickWithEitherRelocation) {
+  for (const Relocation relocation : {Relocation::spring, Relocation::return_mapping})
+    for (const double brake : {0.0, 300.0, 1e5})
+      for (const double across : {0.001, 0.01, 0.3}) {
+        StepAsk ask = in_contact({3.2, 0.2 + across, 0});
+        ask.wheel.relocation = relocation;
+        ask.brake = brake;
+        expect_stages(flat(), ask, Stage::doubles, Stage::quick_pair);
+      }
+}
+
+TEST(FastStepStages, PlanesSquareToNoAxisAreQuick) {
+  expect_stages(ground(half_space({0.1, -0.05, 1}, 0.2)), above_ground(), Stage::doubles, Stage::quick_pair);
+  StepAsk ask = in_contact({3.2, 0.3, -0.1});
+  std::get<Contact>(ask.state).normal_in_world = {0.1, -0.05, 1};
+  expect_stages(ground(half_space({0.1, -0.05, 1}, 0.2)), ask, Stage::doubles, Stage::quick_pair);
+}
+
+// A wheel that stands straight: some numbers are 0, which a bound for the whole ask never shows.
+TEST(FastStepStages, ZerosAreLeftToCountedPairs) {
+  StepAsk ask = in_contact({3.3, 0.2, 0});
+  ask.frame.world_from_wheel = {0, 1, 0, 0};
+  ask.frame.velocity_in_world = {1.1, 0, -0.2};
+  std::get<Contact>(ask.state).pebble_velocity_in_world = {};
+  expect_stages(flat(), ask, Stage::double_pair, Stage::double_pair);
 }
 
 TEST(FastStepStages, LimitsAreDecidedExactly) {
