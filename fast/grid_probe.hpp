@@ -29,7 +29,7 @@ struct SquareProbe {
   double low, high;
 
   // One branch, not six that nobody can foretell.
-  bool reaches(const GridEntry& entry) const {
+  [[gnu::always_inline]] inline bool reaches(const GridEntry& entry) const {
     const int across = (entry.first_across <= last_across) & (entry.last_across >= first_across);
     const int along = (entry.first_along <= last_along) & (entry.last_along >= first_along);
     const int upward = (double{entry.low} <= high) & (double{entry.high} >= low);
