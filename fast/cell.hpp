@@ -14,12 +14,12 @@ namespace groundtruth::fast {
 // An ask's range and what bounds the rounding of all that is computed with it.
 class Probe {
  public:
-  explicit Probe(const RangeEnds& ends)
-      : ends_(ends),
-        error_per_normal_(0x11p-53 * ends.greatest_coordinate() +
-                          (0x1.01p0 * ends.coordinate_error + 0x1p-1000)) {}
+  // Of the ask's ends, made in place: a processor waits where what was just written is copied.
+  explicit Probe(const EntryAsk& ask) : ends_(ends_of(ask)) {}
+  explicit Probe(const RangeEnds& ends) : ends_(ends) {}
 
   const RangeEnds& ends() const { return ends_; }
+  double greatest_coordinate() const { return greatest_coordinate_; }
 
   // Lemma clip-interval (proofs-notes/rounding.md): a bound E such that for each half-space of these sizes,
   // with a and b its Deltas at the ends as computed here, w = fl(a - b), both exact Deltas are within E of a
@@ -33,7 +33,9 @@ class Probe {
 
  private:
   RangeEnds ends_;
-  double error_per_normal_;
+  double greatest_coordinate_ = ends_.greatest_coordinate();
+  double error_per_normal_ =
+      0x11p-53 * greatest_coordinate_ + (0x1.01p0 * ends_.coordinate_error + 0x1p-1000);
 };
 
 // Largest error bound with which products and quotients of the kernel stay in the range of doubles.

@@ -54,16 +54,17 @@ void visit_all_of_hierarchy(const Parts& parts, SearchTask& task) {
 bool visit_squares(const Parts& parts, SearchTask& task) {
   const Grid& grid = parts.grid;
   if (grid.rows == 0) return false;
-  const GridProbe near(task.probe.ends());
-  const Squares squares = near.squares(grid);
+  const GridProbe near(grid, task.probe.ends());
+  const Squares squares = near.squares();
   if (!is_served(grid, squares)) return false;
+  const bool may_repeat = squares.count() > 1;
   for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
     for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
-      const std::uint32_t* const starts = &grid.starts[std::size_t{row} * grid.columns + column];
+      const std::uint32_t* const starts = grid.starts.data() + std::size_t{row} * grid.columns + column;
       if (starts[0] == starts[1]) continue;
       const GridEntry* const entries = grid.entries.data();
-      parts.kernels->visit_square(task, {entries + starts[0], entries + starts[1], squares.count() > 1},
-                                  near.in_square(grid, column, row));
+      parts.kernels->visit_square(task, {entries + starts[0], entries + starts[1], may_repeat},
+                                  near.in_square(column, row));
       if (task.result.starts_inside) return true;
     }
   return true;
@@ -71,7 +72,7 @@ bool visit_squares(const Parts& parts, SearchTask& task) {
 
 void visit_indexed(const Parts& parts, SearchTask& task) {
   const RangeEnds& ends = task.probe.ends();
-  if (!(ends.greatest_coordinate() < greatest_box_coordinate && ends.coordinate_error < 1))
+  if (!(task.probe.greatest_coordinate() < greatest_box_coordinate && ends.coordinate_error < 1))
     visit_all_of_hierarchy(parts, task);
   else if (!visit_squares(parts, task))
     parts.kernels->visit_hierarchy(task, parts.hierarchy.nodes.data(), BoxProbe(ends).way());
