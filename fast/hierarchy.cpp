@@ -124,7 +124,7 @@ class Cutter {
     std::optional<Cut> best;
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-      std::array<Bin, bins> behind;  // each bin and all behind it
+      Bin behind[bins];  // each bin and all behind it
       for (int i = bins - 1; i > 0; --i) {
         behind[i] = bins_[axis][i];
         if (i + 1 < bins) behind[i].add(behind[i + 1]);

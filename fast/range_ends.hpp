@@ -18,7 +18,9 @@ struct RangeEnds {
 
   // Of both ends.
   double greatest_coordinate() const {
-    const auto greater = [&](std::size_t axis) { return std::max(std::abs(first[axis]), std::abs(last[axis])); };
+    const auto greater = [&](std::size_t axis) {
+      return std::max(std::abs(first[axis]), std::abs(last[axis]));
+    };
     return std::max(greater(0), std::max(greater(1), greater(2)));
   }
 };

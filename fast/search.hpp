@@ -13,7 +13,8 @@ namespace groundtruth::fast {
 // Else no_leaf.
 Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result);
 
-// What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty one.
+// What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
+// one.
 void search(const Scene& scene, const Probe& probe, SearchResult& result);
 
 // Asks the memory that search() will look at for an ask to come closer, as far as it is known without waiting
