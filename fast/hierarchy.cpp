@@ -109,8 +109,10 @@ class Cutter {
     FloatBox first, second;
   };
 
+  // The first one if it is no number: a width that overflows, or is too small to divide by.
   V4i bin_of(const BoxedPart& one) const {
-    return __builtin_convertvector(((one.centre() - low_) * scale_).vector, V4i);
+    const Corner bin = greater((one.centre() - low_) * scale_, Corner::all(0));
+    return __builtin_convertvector(lesser(bin, Corner::all(bins - 1)).vector, V4i);
   }
 
   void fill_bins() {

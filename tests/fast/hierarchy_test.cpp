@@ -77,6 +77,14 @@ TEST(BoxHierarchies, HoldUnboundedParts) {
   EXPECT_EQ(parts, 10u);
 }
 
+TEST(BoxHierarchies, HoldPartsAsFarOrAsCloseAsDoublesAllow) {
+  for (const double size : {1e308, 3e38, 1e-42, 5e-324}) {
+    std::vector<Box> boxes;
+    for (int i = -50; i <= 50; ++i) boxes.push_back({{size * i / 50, 0, -size}, {size, size, size * i / 50}});
+    for (const int times : visit(boxes).times) EXPECT_EQ(times, 1);
+  }
+}
+
 // Each cut takes few boxes off the rest, over and over.
 TEST(BoxHierarchies, AreNoDeeperThanASearchCanBear) {
   std::vector<Box> boxes;
