@@ -2,13 +2,18 @@
 
 #include <groundtruth/fast/hierarchy.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
 namespace groundtruth::fast {
 namespace {
+
+// Boxes end there: no range that is searched for in them goes so far (greatest_box_coordinate).
+constexpr double greatest_float = double{std::numeric_limits<float>::max()};
 
 struct Visited {
   std::vector<int> times;  // by part
@@ -34,8 +39,8 @@ void visit(const std::vector<Box>& boxes, const BoxHierarchy& hierarchy, std::ui
     const std::uint32_t part = node.children[i] - BoxNode::first_part;
     ++visited.times[part];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      EXPECT_LE(box.low[axis], boxes[part].low[axis]);
-      EXPECT_GE(box.high[axis], boxes[part].high[axis]);
+      EXPECT_LE(box.low[axis], std::max(boxes[part].low[axis], -greatest_float));
+      EXPECT_GE(box.high[axis], std::min(boxes[part].high[axis], greatest_float));
     }
   }
 }
