@@ -34,6 +34,8 @@ class BoxProbe {
     }
   }
 
+  const BoxWay& way() const { return way_; }
+
   // The children of the node that may be met no later than `upper`, which is at most 1, as bits, and where
   // they may be met first.
   unsigned meet(const CellKernels& kernels, const BoxNode& node, double upper,

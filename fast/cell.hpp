@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include <boost/container/small_vector.hpp>
-#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/meeting.hpp>
 #include <groundtruth/fast/parts.hpp>
 #include <groundtruth/fast/range_ends.hpp>
@@ -15,12 +14,12 @@ namespace groundtruth::fast {
 // An ask's range and what bounds the rounding of all that is computed with it.
 class Probe {
  public:
-  explicit Probe(const RangeEnds& ends)
-      : ends_(ends),
-        error_per_normal_(0x11p-53 * ends.greatest_coordinate() +
-                          (0x1.01p0 * ends.coordinate_error + 0x1p-1000)) {}
+  // Of the ask's ends, made in place: a processor waits where what was just written is copied.
+  explicit Probe(const EntryAsk& ask) : ends_(ends_of(ask)) {}
+  explicit Probe(const RangeEnds& ends) : ends_(ends) {}
 
   const RangeEnds& ends() const { return ends_; }
+  double greatest_coordinate() const { return greatest_coordinate_; }
 
   // Lemma clip-interval (proofs-notes/rounding.md): a bound E such that for each half-space of these sizes,
   // with a and b its Deltas at the ends as computed here, w = fl(a - b), both exact Deltas are within E of a
@@ -28,13 +27,15 @@ class Probe {
   // of the two limits included. It costs 12 u M of rounding and the ends' own error; 17 u and a bit more
   // covers that. 2^-1000 a coordinate makes up for 17 u times a tiny one, which underflows before it meets
   // the normal. Infinite or NaN: nothing is known.
-  double error_bound(double normal_size, double offset_size) const {
+  [[gnu::always_inline]] inline double error_bound(double normal_size, double offset_size) const {
     return normal_size * error_per_normal_ + (0x11p-53 * offset_size + 0x1p-960);
   }
 
  private:
   RangeEnds ends_;
-  double error_per_normal_;
+  double greatest_coordinate_ = ends_.greatest_coordinate();
+  double error_per_normal_ =
+      0x11p-53 * greatest_coordinate_ + (0x1.01p0 * ends_.coordinate_error + 0x1p-1000);
 };
 
 // Largest error bound with which products and quotients of the kernel stay in the range of doubles.
@@ -56,15 +57,6 @@ using OpenLeaves = boost::container::small_vector<OpenLeaf, 64>;
 // Of a half-space with these Deltas at the ends, not certainly of one sign together. Requires Deltas within
 // `error`, a usable error bound, of the exact ones.
 OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_last, double error);
-
-inline Meeting meet(const CellKernels& kernels, const PackedCells& cells, const Cell& cell,
-                    const Probe& probe) {
-  const double error = probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
-  if (!(error < greatest_usable_error)) return {};
-  const HalfSpaces4* const groups = cells.groups.data();
-  return kernels.meet(groups + cell.first_group, groups + cell.end_group(),
-                      {probe.ends().first.data(), probe.ends().last.data(), error});
-}
 
 // A leaf, and what is written on it.
 struct Face {

@@ -9,17 +9,11 @@
 
 #include <groundtruth/fast/box_way.hpp>
 #include <groundtruth/fast/hierarchy.hpp>
-#include <groundtruth/fast/meeting.hpp>
-#include <groundtruth/fast/parts.hpp>
+#include <groundtruth/fast/search_task.hpp>
 
 namespace groundtruth::fast {
 
-// The ends of a range, and a bound of the error of every Delta (lemma clip-interval, cell.hpp).
-struct CertifiedEnds {
-  const double* first;
-  const double* last;
-  double error;
-};
+struct SquareProbe;
 
 struct RoundedCrossing {
   double lambda = 0;
@@ -27,8 +21,11 @@ struct RoundedCrossing {
 };
 
 struct CellKernels {
-  // Requires a usable error bound.
-  Meeting (*meet)(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends);
+  // These add to task.result what the range may meet first of some parts: those listed, those over a square,
+  // those in a hierarchy, of which the first node is the root. Requires coordinates that box-slabs allows.
+  void (*visit_parts)(SearchTask& task, const Part* first, const Part* end);
+  void (*visit_square)(SearchTask& task, const SquareEntries& square, const SquareProbe& here);
+  void (*visit_hierarchy)(SearchTask& task, const BoxNode* nodes, const BoxWay& way);
   // The children of a node that may be met no later than `upper`, as bits, and where first.
   unsigned (*meet_boxes)(const BoxNode& node, const BoxWay& way, float upper, float* nearest);
   // Lemma crossing-in-double-double (proofs-notes/rounding.md). from, to: three numbers each.

@@ -1,6 +1,6 @@
 #include <groundtruth/fast/cell_kernels_avx2.hpp>
-#include <groundtruth/fast/cell_kernels_body.hpp>
 #include <groundtruth/fast/lanes_wide.hpp>
+#include <groundtruth/fast/search_kernels_body.hpp>
 
 namespace groundtruth::fast {
 

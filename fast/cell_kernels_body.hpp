@@ -9,7 +9,37 @@
 
 namespace groundtruth::fast {
 
-// Where half-spaces are crossed, a group at a time.
+template <class Lanes>
+struct Deltas {
+  Lanes first, last;
+};
+
+// The ends of a range, for a group of half-spaces at a time.
+template <class Lanes>
+class EndLanes {
+ public:
+  EndLanes(const double* first, const double* last)
+      : first_x_(Lanes::all(first[0])),
+        first_y_(Lanes::all(first[1])),
+        first_z_(Lanes::all(first[2])),
+        last_x_(Lanes::all(last[0])),
+        last_y_(Lanes::all(last[1])),
+        last_z_(Lanes::all(last[2])) {}
+
+  [[gnu::always_inline]] inline Deltas<Lanes> deltas(const HalfSpaces4& group) const {
+    const Lanes x = Lanes::load(group.normal_x);
+    const Lanes y = Lanes::load(group.normal_y);
+    const Lanes z = Lanes::load(group.normal_z);
+    const Lanes offset = Lanes::load(group.offset);
+    return {x * first_x_ + y * first_y_ + z * first_z_ - offset,
+            x * last_x_ + y * last_y_ + z * last_z_ - offset};
+  }
+
+ private:
+  Lanes first_x_, first_y_, first_z_, last_x_, last_y_, last_z_;
+};
+
+// Where half-spaces are crossed, if every Delta is within an error bound (lemma clip-interval, cell.hpp).
 template <class Lanes>
 class GroupCrosser {
  public:
@@ -22,35 +52,14 @@ class GroupCrosser {
     Lanes upper;
   };
 
-  explicit GroupCrosser(const CertifiedEnds& ends)
-      : first_x_(Lanes::all(ends.first[0])),
-        first_y_(Lanes::all(ends.first[1])),
-        first_z_(Lanes::all(ends.first[2])),
-        last_x_(Lanes::all(ends.last[0])),
-        last_y_(Lanes::all(ends.last[1])),
-        last_z_(Lanes::all(ends.last[2])),
-        error_(Lanes::all(ends.error)),
-        twice_error_(Lanes::all(2 * ends.error)) {}
-
-  struct Deltas {
-    Lanes first, last;
-  };
-
-  [[gnu::always_inline]] inline Deltas deltas(const HalfSpaces4& group) const {
-    const Lanes x = Lanes::load(group.normal_x);
-    const Lanes y = Lanes::load(group.normal_y);
-    const Lanes z = Lanes::load(group.normal_z);
-    const Lanes offset = Lanes::load(group.offset);
-    return {x * first_x_ + y * first_y_ + z * first_z_ - offset,
-            x * last_x_ + y * last_y_ + z * last_z_ - offset};
-  }
+  explicit GroupCrosser(double error) : error_(Lanes::all(error)), twice_error_(Lanes::all(2 * error)) {}
 
   // Certainly outside one at both ends: then the cell is missed.
-  [[gnu::always_inline]] inline typename Lanes::Choice is_outside(const Deltas& at) const {
+  [[gnu::always_inline]] inline typename Lanes::Choice is_outside(const Deltas<Lanes>& at) const {
     return lesser(at.first, at.last) > error_;
   }
 
-  [[gnu::always_inline]] inline Crossings cross(const Deltas& at) const {
+  [[gnu::always_inline]] inline Crossings cross(const Deltas<Lanes>& at) const {
     const auto [a, b] = at;
     const Lanes w = a - b, inverse = Lanes::all(1) / w;
     const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);
@@ -58,7 +67,7 @@ class GroupCrosser {
   }
 
  private:
-  Lanes first_x_, first_y_, first_z_, last_x_, last_y_, last_z_, error_, twice_error_;
+  Lanes error_, twice_error_;
 };
 
 // What the crossings of some groups say of their intersection: four half-spaces that are entered (the highest
@@ -78,9 +87,9 @@ class GroupsMet {
     exit_upper_ = lesser(choose(at.leaves, at.upper, after_range_), exit_upper_);
   }
 
-  [[gnu::always_inline]] inline Meeting meeting() const {
+  [[gnu::always_inline]] inline Meeting meeting(double latest) const {
     const double entry = enter_lower_.greatest(), lower = entry > 0 ? entry : 0;
-    if (lower > 1 || lower > exit_upper_.least()) return no_meeting;
+    if (lower > latest || lower > exit_upper_.least()) return no_meeting;
     const double upper = enter_upper_.greatest(), exit = exit_lower_.least();
     if (undecided_ != 0 || !(upper <= 1 && upper <= exit && exit > 0)) return {lower, 2, no_place};
     return {lower, upper, lower > 0 && upper < exit ? sole_place(lower) : no_place};
@@ -105,44 +114,26 @@ class GroupsMet {
   unsigned undecided_ = 0;
 };
 
-// Two groups at a time: most cells have no more, and most are missed before anything is divided.
+// Two groups at a time: most cells have no more, and most are missed before anything is divided. Requires a
+// usable error bound. A meeting behind `latest` may be told as a miss.
 template <class Lanes>
-Meeting meet_groups(const HalfSpaces4* group, const HalfSpaces4* end, const CertifiedEnds& ends) {
-  const GroupCrosser<Lanes> crosser(ends);
+[[gnu::always_inline]] inline Meeting meet_groups(const HalfSpaces4* group, const HalfSpaces4* end,
+                                                  const EndLanes<Lanes>& ends, double error, double latest) {
+  const GroupCrosser<Lanes> crosser(error);
   GroupsMet<Lanes> met;
   double number = 0;
   for (; end - group >= 2; group += 2, number += 2) {
-    const auto one = crosser.deltas(group[0]), other = crosser.deltas(group[1]);
+    const auto one = ends.deltas(group[0]), other = ends.deltas(group[1]);
     if ((crosser.is_outside(one) | crosser.is_outside(other)).bits() != 0) return no_meeting;
     met.add(crosser.cross(one), number);
     met.add(crosser.cross(other), number + 1);
   }
   if (group != end) {
-    const auto last = crosser.deltas(*group);
+    const auto last = ends.deltas(*group);
     if (crosser.is_outside(last).bits() != 0) return no_meeting;
     met.add(crosser.cross(last), number);
   }
-  return met.meeting();
+  return met.meeting(latest);
 }
-
-// Lemma box-slabs (box_probe.hpp).
-template <class FloatLanes>
-unsigned meet_eight_boxes(const BoxNode& node, const BoxWay& way, float upper, float* nearest) {
-  FloatLanes near = FloatLanes::all(0), far = FloatLanes::all(upper);
-  for (int axis = 0; axis < 3; ++axis) {
-    const float* const near_sides = way.is_ascending[axis] ? node.low[axis] : node.high[axis];
-    const float* const far_sides = way.is_ascending[axis] ? node.high[axis] : node.low[axis];
-    const FloatLanes inverse = FloatLanes::all(way.inverse[axis]);
-    const FloatLanes stretched = FloatLanes::all(way.inverse[axis] * (1 + 0x1p-20F));
-    near = greater((FloatLanes::load(near_sides) - FloatLanes::all(way.near_origin[axis])) * inverse, near);
-    far = lesser((FloatLanes::load(far_sides) - FloatLanes::all(way.far_origin[axis])) * stretched, far);
-  }
-  near.store(nearest);
-  return (near <= far).bits();
-}
-
-template <class Lanes, class FloatLanes, class Products>
-constexpr CellKernels kernels_of{meet_groups<Lanes>, meet_eight_boxes<FloatLanes>,
-                                 rounded_crossing_of<Products>};
 
 }  // namespace groundtruth::fast

@@ -1,5 +1,5 @@
-#include <groundtruth/fast/cell_kernels_body.hpp>
 #include <groundtruth/fast/lanes.hpp>
+#include <groundtruth/fast/search_kernels_body.hpp>
 
 namespace groundtruth::fast {
 

@@ -34,7 +34,7 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
 }
 
 EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
-  const Probe probe(ends_of(ask));
+  const Probe probe(ask);
   SearchResult result;
   search(scene, probe, result);
   if (result.starts_inside) {

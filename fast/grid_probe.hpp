@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <groundtruth/fast/grid.hpp>
+#include <groundtruth/fast/lanes.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 
 namespace groundtruth::fast {
@@ -29,7 +30,7 @@ struct SquareProbe {
   double low, high;
 
   // One branch, not six that nobody can foretell.
-  bool reaches(const GridEntry& entry) const {
+  [[gnu::always_inline]] inline bool reaches(const GridEntry& entry) const {
     const int across = (entry.first_across <= last_across) & (entry.last_across >= first_across);
     const int along = (entry.first_along <= last_along) & (entry.last_along >= first_along);
     const int upward = (double{entry.low} <= high) & (double{entry.high} >= low);
@@ -37,34 +38,55 @@ struct SquareProbe {
   }
 };
 
-// The box around a range, grown by what rounding did to its ends.
+// The box around a range, grown by what rounding did to its ends: across and along abreast. The same
+// operations as Grid's, hence the same places. Requires a grid.
 class GridProbe {
  public:
-  explicit GridProbe(const RangeEnds& ends) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low_[axis] = std::min(ends.first[axis], ends.last[axis]) - 2 * ends.coordinate_error;
-      high_[axis] = std::max(ends.first[axis], ends.last[axis]) + 2 * ends.coordinate_error;
-    }
+  GridProbe(const Grid& grid, const RangeEnds& ends) {
+    const Pair first = pair(ends.first[grid.across], ends.first[grid.along]);
+    const Pair last = pair(ends.last[grid.across], ends.last[grid.along]);
+    const Pair margin = Pair::all(2 * ends.coordinate_error), per_metre = Pair::all(grid.per_metre);
+    const Pair origin = pair(grid.origin_across, grid.origin_along);
+    first_ = (lesser(first, last) - margin - origin) * per_metre;
+    last_ = (greater(first, last) + margin - origin) * per_metre;
+    last_square_ = pair(grid.columns - 1, grid.rows - 1);
+    const double one = ends.first[grid.upward], other = ends.last[grid.upward];
+    low_ = std::min(one, other) - 2 * ends.coordinate_error;
+    high_ = std::max(one, other) + 2 * ends.coordinate_error;
   }
 
-  Squares squares(const Grid& grid) const {
-    return {grid.column_of(low_[grid.across]), grid.column_of(high_[grid.across]),
-            grid.row_of(low_[grid.along]), grid.row_of(high_[grid.along])};
+  Squares squares() const {
+    const Whole first = whole(lesser(greater(first_, Pair::all(0)), last_square_));
+    const Whole last = whole(lesser(greater(last_, Pair::all(0)), last_square_));
+    return {first.across, last.across, first.along, last.along};
   }
 
   // The part of it that concerns one square.
-  SquareProbe in_square(const Grid& grid, std::uint32_t column, std::uint32_t row) const {
-    return {grid.part_of_column(low_[grid.across], column),
-            grid.part_of_column(high_[grid.across], column),
-            grid.part_of_row(low_[grid.along], row),
-            grid.part_of_row(high_[grid.along], row),
-            low_[grid.upward],
-            high_[grid.upward]};
+  SquareProbe in_square(std::uint32_t column, std::uint32_t row) const {
+    const Pair square = pair(column, row);
+    const Whole first = part_of_square(first_ - square), last = part_of_square(last_ - square);
+    return {static_cast<std::uint8_t>(first.across),
+            static_cast<std::uint8_t>(last.across),
+            static_cast<std::uint8_t>(first.along),
+            static_cast<std::uint8_t>(last.along),
+            low_,
+            high_};
   }
 
  private:
-  double low_[3];
-  double high_[3];
+  using Pair = OneVector<TwoDoubles>;
+  struct Whole {
+    std::uint32_t across, along;
+  };
+
+  static Pair pair(double across, double along) { return {V2d{across, along}}; }
+  static Whole whole(Pair x) { return {static_cast<std::uint32_t>(x[0]), static_cast<std::uint32_t>(x[1])}; }
+  static Whole part_of_square(Pair place) {
+    return whole(lesser(greater(place * Pair::all(256), Pair::all(0)), Pair::all(255)));
+  }
+
+  Pair first_, last_, last_square_;
+  double low_, high_;
 };
 
 }  // namespace groundtruth::fast

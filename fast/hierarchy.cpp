@@ -1,8 +1,14 @@
 #include <groundtruth/fast/hierarchy.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <tuple>
+#include <utility>
+
+#include <groundtruth/fast/lanes.hpp>
 
 namespace groundtruth::fast {
 
@@ -10,80 +16,206 @@ namespace {
 
 constexpr float greatest_float = std::numeric_limits<float>::max();
 
-class HierarchyBuilder {
+using Corner = OneVector<FourFloats>;  // x, y, z, and nothing
+
+// Grows from nothing.
+struct FloatBox {
+  Corner low = Corner::all(greatest_float);
+  Corner high = Corner::all(-greatest_float);
+
+  void add(const FloatBox& other) {
+    low = lesser(low, other.low);
+    high = greater(high, other.high);
+  }
+  // What the chance of a range to meet it goes by.
+  double half_area() const {
+    const auto width = [&](int axis) { return double{high[axis]} - double{low[axis]}; };
+    return width(0) * width(1) + width(1) * width(2) + width(2) * width(0);
+  }
+};
+
+struct BoxedPart {
+  FloatBox box;
+  std::uint32_t part;
+
+  Corner centre() const { return box.low * Corner::all(0.5F) + box.high * Corner::all(0.5F); }
+};
+
+using BoxedParts = std::span<BoxedPart>;
+
+struct Piece {
+  BoxedParts parts;
+  FloatBox box;
+};
+
+FloatBox box_of(BoxedParts parts) {
+  FloatBox box;
+  for (const BoxedPart& one : parts) box.add(one.box);
+  return box;
+}
+
+// Cuts parts in two where their boxes' areas, each times the number of its parts, make the least sum: by the
+// surface area heuristic, at the borders of equal bins of their centres.
+class Cutter {
  public:
-  HierarchyBuilder(const std::vector<Box>& boxes, BoxHierarchy& hierarchy)
-      : boxes_(boxes), hierarchy_(hierarchy) {
-    centres_.reserve(boxes.size());
-    for (const Box& box : boxes) {
-      Vector centre;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        centre[axis] = double{rounded_down(box.low[axis])} / 2 + double{rounded_up(box.high[axis])} / 2;
-      centres_.push_back(centre);
+  explicit Cutter(BoxedParts parts) : parts_(parts) {
+    FloatBox centres;
+    for (const BoxedPart& one : parts) centres.add({one.centre(), one.centre()});
+    low_ = centres.low;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float width = centres.high[axis] - low_[axis];
+      if (width > 0) scale_.vector[axis] = static_cast<float>(bins) * (1 - 0x1p-20F) / width;
+      if (width > centres.high[widest_] - low_[widest_]) widest_ = axis;
     }
   }
 
-  using Parts = std::span<std::uint32_t>;
-
-  std::uint32_t build(Parts parts) {
-    const auto place = static_cast<std::uint32_t>(hierarchy_.nodes.size());
-    BoxNode empty;
-    for (std::uint32_t child = 0; child < BoxNode::width; ++child) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        empty.low[axis][child] = greatest_float;
-        empty.high[axis][child] = -greatest_float;
-      }
-      empty.children[child] = BoxNode::no_child;
-    }
-    hierarchy_.nodes.push_back(empty);
-    std::uint32_t count = 0;
-    divide(parts, capacity_below(parts.size()), [&](Parts some) {
-      const std::uint32_t child = some.size() == 1 ? BoxNode::first_part + some.front() : build(some);
-      Box box = nowhere;
-      for (const std::uint32_t part : some) box = hull(box, boxes_[part]);
-      BoxNode& node = hierarchy_.nodes[place];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.low[axis][count] = rounded_down(box.low[axis]);
-        node.high[axis][count] = rounded_up(box.high[axis]);
-      }
-      node.children[count++] = child;
+  // Neither piece is empty.
+  std::pair<Piece, Piece> cut() {
+    fill_bins();
+    const std::optional<Cut> best = best_cut();
+    if (!best) return cut_in_halves();
+    const auto middle = std::partition(parts_.begin(), parts_.end(), [&](const BoxedPart& one) {
+      return bin_of(one)[best->axis] <= best->last_bin;
     });
+    const auto first = static_cast<std::size_t>(middle - parts_.begin());
+    return {{parts_.first(first), best->first}, {parts_.subspan(first), best->second}};
+  }
+
+  // Of as many parts each, along the axis of the widest spread.
+  std::pair<Piece, Piece> cut_in_halves() {
+    const std::size_t half = parts_.size() / 2;
+    std::nth_element(
+        parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(half), parts_.end(),
+        [&](const BoxedPart& a, const BoxedPart& b) { return a.centre()[widest_] < b.centre()[widest_]; });
+    const BoxedParts first = parts_.first(half), second = parts_.subspan(half);
+    return {{first, box_of(first)}, {second, box_of(second)}};
+  }
+
+ private:
+  static constexpr int bins = 16;
+
+  struct Bin {
+    FloatBox box;
+    std::uint32_t count = 0;
+
+    void add(const Bin& other) {
+      box.add(other.box);
+      count += other.count;
+    }
+    double cost() const { return count == 0 ? 0 : box.half_area() * count; }
+  };
+  struct Cut {
+    int axis, last_bin;  // of the first piece
+    FloatBox first, second;
+  };
+
+  // The first one if it is no number: a width that overflows, or is too small to divide by.
+  V4i bin_of(const BoxedPart& one) const {
+    const Corner bin = greater((one.centre() - low_) * scale_, Corner::all(0));
+    return __builtin_convertvector(lesser(bin, Corner::all(bins - 1)).vector, V4i);
+  }
+
+  void fill_bins() {
+    for (const BoxedPart& one : parts_) {
+      const V4i bin = bin_of(one);
+      for (int axis = 0; axis < 3; ++axis) bins_[axis][bin[axis]].add({one.box, 1});
+    }
+  }
+
+  std::optional<Cut> best_cut() const {
+    std::optional<Cut> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      Bin behind[bins];  // each bin and all behind it
+      for (int i = bins - 1; i > 0; --i) {
+        behind[i] = bins_[axis][i];
+        if (i + 1 < bins) behind[i].add(behind[i + 1]);
+      }
+      Bin before;
+      for (int i = 0; i + 1 < bins; ++i) {
+        before.add(bins_[axis][i]);
+        const double cost = before.cost() + behind[i + 1].cost();
+        if (before.count == 0 || behind[i + 1].count == 0 || !(cost < least)) continue;
+        least = cost;
+        best = {axis, i, before.box, behind[i + 1].box};
+      }
+    }
+    return best;
+  }
+
+  BoxedParts parts_;
+  Corner low_, scale_ = Corner::all(0);
+  int widest_ = 0;
+  Bin bins_[3][bins];
+};
+
+class HierarchyBuilder {
+ public:
+  explicit HierarchyBuilder(std::vector<BoxNode>& nodes) : nodes_(nodes) {}
+
+  std::uint32_t build(const Piece& all, std::uint32_t depth) {
+    std::array<Piece, BoxNode::width> pieces{all};
+    std::uint32_t count = 1;
+    while (count < BoxNode::width) {
+      Piece* const next = worth_cutting(std::span(pieces).first(count));
+      if (next == nullptr) break;
+      Cutter cutter(next->parts);
+      std::tie(*next, pieces[count++]) =
+          depth < BoxNode::most_uneven_depth ? cutter.cut() : cutter.cut_in_halves();
+    }
+    const auto place = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(empty_node());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto& [parts, box] = pieces[i];
+      const std::uint32_t child =
+          parts.size() == 1 ? BoxNode::first_part + parts.front().part : build(pieces[i], depth + 1);
+      BoxNode& node = nodes_[place];
+      for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis][i] = box.low[axis];
+        node.high[axis][i] = box.high[axis];
+      }
+      node.children[i] = child;
+    }
     return place;
   }
 
  private:
-  // Of each child of a node over so many parts, with all children but the last ones full.
-  static std::size_t capacity_below(std::size_t parts) {
-    std::size_t capacity = 1;
-    while (capacity * BoxNode::width < parts) capacity *= BoxNode::width;
-    return capacity;
+  // The largest of those that can be cut.
+  static Piece* worth_cutting(std::span<Piece> pieces) {
+    Piece* best = nullptr;
+    double largest = -1;
+    for (Piece& piece : pieces) {
+      const double area = piece.box.half_area();
+      if (piece.parts.size() < 2 || !(area > largest)) continue;
+      best = &piece;
+      largest = area;
+    }
+    return best;
   }
 
-  // Cuts into pieces of `capacity` parts (one may have less) along the widest spread.
-  template <class Visit>
-  void divide(Parts parts, std::size_t capacity, const Visit& visit) {
-    if (parts.size() <= capacity) return visit(parts);
-    Vector low = nowhere.low, high = nowhere.high;
-    for (const std::uint32_t part : parts)
+  static BoxNode empty_node() {
+    BoxNode node;
+    for (std::uint32_t child = 0; child < BoxNode::width; ++child) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], centres_[part][axis]);
-        high[axis] = std::max(high[axis], centres_[part][axis]);
+        node.low[axis][child] = greatest_float;
+        node.high[axis][child] = -greatest_float;
       }
-    std::size_t widest = 0;
-    for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
-      if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
-    const std::size_t half = (parts.size() + capacity - 1) / capacity / 2 * capacity;
-    std::nth_element(
-        parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(half), parts.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return centres_[a][widest] < centres_[b][widest]; });
-    divide(parts.first(half), capacity, visit);
-    divide(parts.subspan(half), capacity, visit);
+      node.children[child] = BoxNode::no_child;
+    }
+    return node;
   }
 
-  const std::vector<Box>& boxes_;
-  BoxHierarchy& hierarchy_;
-  std::vector<Vector> centres_;
+  std::vector<BoxNode>& nodes_;
 };
+
+FloatBox rounded_outwards(const Box& box) {
+  FloatBox rounded;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rounded.low.vector[axis] = rounded_down(box.low[axis]);
+    rounded.high.vector[axis] = rounded_up(box.high[axis]);
+  }
+  return rounded;
+}
 
 }  // namespace
 
@@ -96,9 +228,14 @@ float rounded_down(double x) {
 
 float rounded_up(double x) { return -rounded_down(-x); }
 
-BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, std::vector<std::uint32_t> parts) {
+BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts) {
   BoxHierarchy hierarchy;
-  if (!parts.empty()) HierarchyBuilder(boxes, hierarchy).build(parts);
+  if (parts.empty()) return hierarchy;
+  std::vector<BoxedPart> boxed;
+  boxed.reserve(parts.size());
+  for (const std::uint32_t part : parts) boxed.push_back({rounded_outwards(boxes[part]), part});
+  HierarchyBuilder(hierarchy.nodes).build({boxed, box_of(boxed)}, 0);
+  hierarchy.nodes.shrink_to_fit();
   return hierarchy;
 }
 

@@ -14,6 +14,9 @@ struct alignas(64) BoxNode {
   static constexpr std::uint32_t width = 8;
   static constexpr std::uint32_t first_part = 0x80000000;
   static constexpr std::uint32_t no_child = 0xffffffff;
+  // From here on parts are halved, so that there are at most 32 levels below.
+  static constexpr std::uint32_t most_uneven_depth = 32;
+  static constexpr std::uint32_t most_depth = most_uneven_depth + 32;
 
   float low[3][width];
   float high[3][width];
@@ -24,8 +27,8 @@ struct BoxHierarchy {
   std::vector<BoxNode> nodes;  // the first is the root; none: no parts
 };
 
-// Over boxes[part] of the parts named, which must not be empty boxes.
-BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, std::vector<std::uint32_t> parts);
+// Over boxes[part] of the parts named, which must not be empty boxes. Cut by the surface area heuristic.
+BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts);
 
 float rounded_down(double x);
 float rounded_up(double x);

@@ -14,11 +14,12 @@ constexpr std::size_t most_bytes_of_cell = 2 * sizeof(HalfSpaces4);
 
 Prefetcher::Prefetcher(const Scene& scene, const RangeEnds& ends) : scene_(scene) {
   const Grid& grid = scene.parts().grid;
-  const GridProbe near(ends);
-  const Squares squares = near.squares(grid);
+  if (grid.rows == 0) return;
+  const GridProbe near(grid, ends);
+  const Squares squares = near.squares();
   if (!is_served(grid, squares)) return;
   has_square_ = true;
-  here_ = near.in_square(grid, squares.first_column, squares.first_row);
+  here_ = near.in_square(squares.first_column, squares.first_row);
   square_ = std::size_t{squares.first_row} * grid.columns + squares.first_column;
 }
 

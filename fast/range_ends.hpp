@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <groundtruth/problem/ask.hpp>
 
@@ -17,18 +18,17 @@ struct RangeEnds {
 
   // Of both ends.
   double greatest_coordinate() const {
-    double greatest = 0;
-    for (const Vector* end : {&first, &last})
-      for (const double x : *end) greatest = std::max(greatest, std::abs(x));
-    return greatest;
+    const auto greater = [&](std::size_t axis) {
+      return std::max(std::abs(first[axis]), std::abs(last[axis]));
+    };
+    return std::max(greater(0), std::max(greater(1), greater(2)));
   }
 };
 
 // Lemma range-ends (proofs-notes/rounding.md): from + lambda (to - from), rounded at each of three
 // operations, is off by at most u (1 + u)^2 (3 |lambda| (|from| + |to|) + |from|); 4 u covers that and the
 // rounding of the bound itself, 2^-1000 whatever underflows. Infinite or NaN: nothing is known.
-inline RangeEnds ends_of(const EntryAsk& ask) {
-  if (ask.lambda_first == 0 && ask.lambda_last == 1) return {ask.from, ask.to, 0};
+inline RangeEnds ends_within(const EntryAsk& ask) {
   RangeEnds ends;
   const auto place = [&](double lambda, std::size_t axis) {
     const double from = ask.from[axis], to = ask.to[axis];
@@ -44,6 +44,11 @@ inline RangeEnds ends_of(const EntryAsk& ask) {
     ends.last[axis] = place(ask.lambda_last, axis);
   }
   return ends;
+}
+
+inline RangeEnds ends_of(const EntryAsk& ask) {
+  const bool is_whole = ask.lambda_first == 0 && ask.lambda_last == 1;
+  return is_whole ? RangeEnds{ask.from, ask.to, 0} : ends_within(ask);
 }
 
 }  // namespace groundtruth::fast

@@ -1,9 +1,10 @@
 #include <groundtruth/fast/search.hpp>
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 #include <groundtruth/fast/box_probe.hpp>
+#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/grid_probe.hpp>
 
 namespace groundtruth::fast {
@@ -19,122 +20,81 @@ void SearchResult::drop_late_ones() {
   std::size_t kept = 0;
   for (const Contender& contender : contenders)
     if (contender.meeting.lower <= upper) contenders[kept++] = contender;
-  contenders.resize(kept);
+  contenders.shrink(kept);
+}
+
+void Contenders::grow() {
+  auto more = std::make_unique<Contender[]>(2 * capacity_);
+  std::copy(begin(), end(), more.get());
+  more_ = std::move(more);
+  first_ = more_.get();
+  capacity_ *= 2;
 }
 
 namespace {
 
-class Search {
- public:
-  Search(const Scene& scene, const Probe& probe, SearchResult& result)
-      : scene_(scene), probe_(probe), result_(result) {}
+Meeting meet_general(const SearchTask& task, Part part) {
+  const auto& scene = *static_cast<const Scene*>(task.context);
+  SievedExpression sieved;
+  sieve(scene.solid(), scene.solid().nodes.data() + scene.parts().node_of(part), task.probe, sieved);
+  return meet(sieved);
+}
 
-  void visit(Part part) {
-    const Meeting meeting = meet(part);
-    if (meeting.lower > result_.upper) return;
-    if (meeting.starts_inside()) {
-      result_.starts_inside = true;
-      return;
+void visit_all_of_hierarchy(const Parts& parts, SearchTask& task) {
+  for (const BoxNode& node : parts.hierarchy.nodes)
+    for (const std::uint32_t child : node.children) {
+      if (child < BoxNode::first_part || child == BoxNode::no_child) continue;
+      const Part part = child - BoxNode::first_part;
+      parts.kernels->visit_parts(task, &part, &part + 1);
+      if (task.result.starts_inside) return;
     }
-    if (meeting.certainly_hits()) result_.upper = std::min(result_.upper, meeting.upper);
-    result_.contenders.push_back({part, meeting});
-  }
+}
 
-  bool is_over() const { return result_.starts_inside; }
-
-  void visit_all_of_hierarchy() {
-    for (const BoxNode& node : scene_.parts().hierarchy.nodes)
-      for (const std::uint32_t child : node.children)
-        if (child >= BoxNode::first_part && child != BoxNode::no_child && !is_over())
-          visit(child - BoxNode::first_part);
-  }
-
-  // Nearest boxes first.
-  void visit_hierarchy() {
-    const BoxProbe box_probe(probe_.ends());
-    const std::vector<BoxNode>& nodes = scene_.parts().hierarchy.nodes;
-    boost::container::small_vector<Open, 128> open{{0, 0}};
-    while (!open.empty()) {
-      const Open top = open.back();
-      open.pop_back();
-      if (double{top.nearest} > result_.upper) continue;
-      if (top.child >= BoxNode::first_part) {
-        visit(top.child - BoxNode::first_part);
-        if (is_over()) return;
-        continue;
-      }
-      const BoxNode& node = nodes[top.child];
-      float nearest[BoxNode::width];
-      unsigned met = box_probe.meet(*scene_.parts().kernels, node, result_.upper, nearest);
-      const std::size_t below = open.size();
-      for (; met != 0; met &= met - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(met));
-        open.push_back({nearest[i], node.children[i]});
-        for (std::size_t at = open.size() - 1; at > below && open[at - 1].nearest < open[at].nearest; --at)
-          std::swap(open[at - 1], open[at]);
-      }
+// Only a range over few squares is looked up in them: false if it is longer, or there are none.
+bool visit_squares(const Parts& parts, SearchTask& task) {
+  const Grid& grid = parts.grid;
+  if (grid.rows == 0) return false;
+  const GridProbe near(grid, task.probe.ends());
+  const Squares squares = near.squares();
+  if (!is_served(grid, squares)) return false;
+  const bool may_repeat = squares.count() > 1;
+  for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
+    for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
+      const std::uint32_t* const starts = grid.starts.data() + std::size_t{row} * grid.columns + column;
+      if (starts[0] == starts[1]) continue;
+      const GridEntry* const entries = grid.entries.data();
+      parts.kernels->visit_square(task, {entries + starts[0], entries + starts[1], may_repeat},
+                                  near.in_square(column, row));
+      if (task.result.starts_inside) return true;
     }
-  }
+  return true;
+}
 
-  // Only a range over few squares is looked up in them: false if it is longer, or there are none.
-  bool visit_squares() {
-    const Grid& grid = scene_.parts().grid;
-    const GridProbe near(probe_.ends());
-    const Squares squares = near.squares(grid);
-    if (!is_served(grid, squares)) return false;
-    for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
-      for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
-        const std::size_t square = std::size_t{row} * grid.columns + column;
-        const SquareProbe here = near.in_square(grid, column, row);
-        for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i) {
-          const GridEntry& entry = grid.entries[i];
-          if (!here.reaches(entry) || (squares.count() > 1 && is_contender(entry.part))) continue;
-          visit(entry.part);
-          if (is_over()) return true;
-        }
-      }
-    return true;
-  }
-
- private:
-  struct Open {
-    float nearest;
-    std::uint32_t child;
-  };
-
-  bool is_contender(Part part) const {
-    return std::any_of(result_.contenders.begin(), result_.contenders.end(),
-                       [&](const Contender& contender) { return contender.part == part; });
-  }
-
-  Meeting meet(Part part) {
-    const Parts& parts = scene_.parts();
-    if (parts.is_cell(part)) return fast::meet(*parts.kernels, parts.cells, parts.cells.cells[part], probe_);
-    SievedExpression sieved;
-    sieve(scene_.solid(), scene_.solid().nodes.data() + parts.node_of(part), probe_, sieved);
-    return fast::meet(sieved);
-  }
-
-  const Scene& scene_;
-  const Probe& probe_;
-  SearchResult& result_;
-};
+void visit_indexed(const Parts& parts, SearchTask& task) {
+  const RangeEnds& ends = task.probe.ends();
+  if (!(task.probe.greatest_coordinate() < greatest_box_coordinate && ends.coordinate_error < 1))
+    visit_all_of_hierarchy(parts, task);
+  else if (!visit_squares(parts, task))
+    parts.kernels->visit_hierarchy(task, parts.hierarchy.nodes.data(), BoxProbe(ends).way());
+}
 
 }  // namespace
 
 void search(const Scene& scene, const Probe& probe, SearchResult& result) {
-  Search run(scene, probe, result);
   const Parts& parts = scene.parts();
-  for (const Part part : parts.apart) {
-    run.visit(part);
-    if (run.is_over()) return;
-  }
-  if (!parts.hierarchy.nodes.empty()) {
-    if (!(probe.ends().greatest_coordinate() < greatest_box_coordinate && probe.ends().coordinate_error < 1))
-      run.visit_all_of_hierarchy();
-    else if (!run.visit_squares())
-      run.visit_hierarchy();
-  }
+  const RangeEnds& ends = probe.ends();
+  SearchTask task{parts.cells.groups.data(),
+                  parts.cells.cells.data(),
+                  parts.cells.cells.size(),
+                  ends.first.data(),
+                  ends.last.data(),
+                  probe,
+                  result,
+                  meet_general,
+                  &scene};
+  if (!parts.apart.empty())
+    parts.kernels->visit_parts(task, parts.apart.data(), parts.apart.data() + parts.apart.size());
+  if (!parts.hierarchy.nodes.empty() && !result.starts_inside) visit_indexed(parts, task);
   result.drop_late_ones();
 }
 

@@ -91,7 +91,7 @@ std::optional<ExactEntry> decide(const Scene& scene, const Probe& probe, const E
     const auto point = exact_stage::first_point(open.view(), ask);
     if (!point) {
       std::move(contenders.begin() + few, contenders.end(), contenders.begin());
-      contenders.resize(contenders.size() - few);
+      contenders.shrink(contenders.size() - few);
       continue;
     }
     result.upper = std::min(result.upper, position_above(open.lambda(*point, ask).value, ask));

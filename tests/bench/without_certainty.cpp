@@ -53,13 +53,14 @@ class PlainSearch {
 
   bool visit_squares() {
     const fast::Grid& grid = parts_.grid;
-    const fast::GridProbe near(ends_);
-    const fast::Squares squares = near.squares(grid);
+    if (grid.rows == 0) return false;
+    const fast::GridProbe near(grid, ends_);
+    const fast::Squares squares = near.squares();
     if (!fast::is_served(grid, squares)) return false;
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::size_t square = std::size_t{row} * grid.columns + column;
-        const fast::SquareProbe here = near.in_square(grid, column, row);
+        const fast::SquareProbe here = near.in_square(column, row);
         for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i)
           if (here.reaches(grid.entries[i])) visit(grid.entries[i].part);
       }

@@ -142,7 +142,7 @@ TEST(FastWholeRange, ErrorBoundCoversHugeNormalsAtTinyCoordinates) {
   const Vector x{0x0.039e12b9e8e93p-1022, 0x0.03cf4efaa4c5dp-1022, 0x0.01a7b446d7599p-1022};
   const double computed = normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
   EXPECT_GT(computed, 5e-26);
-  const fast::Probe probe({x, x, 0});
+  const fast::Probe probe(fast::RangeEnds{x, x, 0});
   EXPECT_GT(probe.error_bound(std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]), 0), computed);
 }
 
