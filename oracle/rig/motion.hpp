@@ -52,7 +52,4 @@ class Motion {
   std::vector<WheelState> next_wheels_;
 };
 
-// Kinetic energy, height, and springs of the wheels in contact, J. Zero height is the world's origin.
-double energy_of(const Machine& machine, const MotionState& state, const Controls& controls);
-
 }  // namespace groundtruth::rig
