@@ -26,8 +26,8 @@ Scenario crosswind() {
   return scenario;
 }
 
-// The soft gear has h omega = 0.4 at 60 steps a second. From a half kick the state soon recurs to the last bit,
-// and the year need not be played; from a whole one it was not seen to in 10^8 steps.
+// The soft gear has h omega = 0.4 at 60 steps a second. From a half kick the state soon recurs to the last
+// bit, and the year need not be played; from a whole one it was not seen to in 10^8 steps.
 Scenario year() {
   Scenario scenario = parked("parked-year", "three wheels on a slope of 5 % for a year of 60 steps a second",
                              0.05, light_aircraft(soft_gear));

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <groundtruth/rig/body.hpp>
 #include <groundtruth/rig/implicit_solver.hpp>
 #include <groundtruth/rig/motion.hpp>
@@ -5,6 +7,8 @@
 
 namespace groundtruth::rig {
 namespace {
+
+constexpr int most_parts = 64;
 
 Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
@@ -63,8 +67,8 @@ class ImplicitStep {
     return true;
   }
 
-  // In a long step a free fall ends deeper than the strut reaches; pushed back, the wheel need not. The pebble
-  // lies where the strut's line meets the ground within the way that the wheel came.
+  // In a long step a free fall ends deeper than the strut reaches; pushed back, the wheel need not. The
+  // pebble lies where the strut's line meets the ground within the way that the wheel came.
   std::optional<Stepped> ask_above(std::size_t wheel, const BodyState& end) {
     const Wheel& strut = machine_.wheels[wheel].wheel;
     Frame frame = frame_at(wheel, end);
@@ -104,8 +108,8 @@ class ImplicitStep {
   }
 
   void finish(const ImplicitSolution& solution, MotionState& state) {
-    record_.newton_steps = solution.newton_steps;
-    record_.convex_passes = solution.convex_passes;
+    record_.newton_steps = std::max(record_.newton_steps, solution.newton_steps);
+    record_.convex_passes = std::max(record_.convex_passes, solution.convex_passes);
     record_.forces_in_world.assign(touching_.size(), Eigen::Vector3d::Zero());
     BodyState end = drifted(start_.body, solution.path_velocities, h_);
     end.velocity_in_world = solution.velocities.head<3>();
@@ -127,9 +131,8 @@ class ImplicitStep {
       const auto& contact = std::get<Contact>(touching_[i]);
       const Vector& n = contact.normal_in_world;
       const Eigen::Matrix3d wheel_from_world = world_from_wheel(frame_at(i, end)).transpose();
-      const double violation =
-          border_violation(wheel_from_world * force, wheel_from_world * vector_of(n),
-                           border_of(contact, machine_.wheels[i], controls_));
+      const double violation = border_violation(wheel_from_world * force, wheel_from_world * vector_of(n),
+                                                border_of(contact, machine_.wheels[i], controls_));
       record_.forces_in_world[i] = force;
       record_.border_violation = std::max(record_.border_violation, violation);
     }
@@ -147,7 +150,18 @@ class ImplicitStep {
 }  // namespace
 
 void Motion::advance_implicitly(MotionState& state, const Controls& controls) {
-  ImplicitStep(machine_, wheel_steps_, h_, controls, state, record_).take(state);
+  for (int parts = 1; parts <= most_parts; parts *= 2) {
+    const double h = h_ / parts;
+    WheelSteps shorter(machine_, ground_, h);
+    MotionState next = state;
+    record_.halt = Halt::none;
+    record_.parts = parts;
+    for (int i = 0; i < parts && record_.halt == Halt::none; ++i)
+      ImplicitStep(machine_, parts == 1 ? wheel_steps_ : shorter, h, controls, next, record_).take(next);
+    if (record_.halt == Halt::not_solved) continue;
+    if (record_.halt == Halt::none) state = {next.body, std::move(next.wheels), state.steps + 1};
+    return;
+  }
 }
 
 }  // namespace groundtruth::rig

@@ -38,11 +38,12 @@ std::string_view name_of(Halt halt) {
 
 Motion::Motion(const Machine& machine, const implementations::EngineOnScene& ground, Integrator integrator,
                double h)
-    : machine_(machine), integrator_(integrator), h_(h), wheel_steps_(machine, ground, h) {}
+    : machine_(machine), ground_(ground), integrator_(integrator), h_(h), wheel_steps_(machine, ground, h) {}
 
 const StepRecord& Motion::advance(MotionState& state, const Controls& controls) {
   record_.halt = Halt::none;
   record_.newton_steps = record_.convex_passes = 0;
+  record_.parts = 1;
   record_.forces_in_world.clear();
   record_.border_violation = 0;
   if (integrator_ == Integrator::implicit) {

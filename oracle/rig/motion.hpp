@@ -20,7 +20,8 @@ enum class Integrator {
   // The same, but the first push is half as long: velocities stand between positions from then on, and
   // stopping distances are right to second order.
   half_kick,
-  // Forces are those at the end of the step, inside the border there: stable at any stiffness.
+  // Forces are those at the end of the step, inside the border there: stable at any stiffness. Where no such
+  // forces are found the step is taken in 2, 4, ... 64 parts.
   implicit
 };
 
@@ -45,6 +46,7 @@ class Motion {
   void advance_implicitly(MotionState& state, const Controls& controls);
 
   const Machine& machine_;
+  const implementations::EngineOnScene& ground_;
   Integrator integrator_;
   double h_;
   WheelSteps wheel_steps_;
