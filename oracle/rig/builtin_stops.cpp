@@ -20,8 +20,8 @@ Scenario stop(const std::string& name, const std::string& what, Shape ground, do
   return scenario;
 }
 
-// Starts at rest in the vertical, its pebble 0.1 m behind and slipping: from the first step on the deceleration is mu g, and
-// the path is v^2 / (2 mu g) but for the error of the integrator.
+// Starts at rest in the vertical, its pebble 0.1 m behind and slipping: from the first step on the
+// deceleration is mu g, and the path is v^2 / (2 mu g) but for the error of the integrator.
 Scenario stop_of_one_wheel() {
   Scenario scenario = stop("stop-one", "one settled wheel stops on dry ground", sloping_ground(0), 10);
   scenario.machine = one_wheel(stiff_gear);

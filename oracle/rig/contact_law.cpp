@@ -101,7 +101,9 @@ AskedForce ContactLaw::at(const BodyState& end) const {
   const Eigen::Vector3d springs(wheel.k_xy, wheel.k_xy, wheel.k_z),
       dampers(wheel.d_xy, wheel.d_xy, wheel.d_z);
   const Eigen::Vector3d stretch(p.x(), p.y(), p.z() - wheel.z_zero);
-  const Eigen::Vector3d on_pebble_in_wheel = springs.cwiseProduct(stretch) + dampers.cwiseProduct(w);
+  const Eigen::Vector3d of_springs_in_wheel = springs.cwiseProduct(stretch);
+  const Eigen::Vector3d of_dampers_in_wheel = dampers.cwiseProduct(w);
+  const Eigen::Vector3d on_pebble_in_wheel = of_springs_in_wheel + of_dampers_in_wheel;
 
   const Eigen::Matrix3d wheel_from_surface =
       surface_axes(wheel_axes.transpose() * vector_of(contact_.normal_in_world));
@@ -112,6 +114,12 @@ AskedForce ContactLaw::at(const BodyState& end) const {
   result.stiffness = wheel_from_surface.transpose() * stiffness.asDiagonal() * wheel_from_surface;
   result.jacobian << world_from_surface.transpose(),
       -world_from_surface.transpose() * cross_matrix(pebble - end.position_in_world);
+  const Eigen::DiagonalMatrix<double, 3> tilt(1, 1, 0), heading(0, 0, 1);
+  result.turning.rightCols<3>() =
+      h_ *
+      (cross_matrix(wheel_from_surface.transpose() * of_springs_in_wheel) * tilt -
+       cross_matrix(wheel_from_surface.transpose() * of_dampers_in_wheel) * heading) *
+      world_from_surface.transpose();
   const Eigen::Vector3d reach = pebble.cwiseAbs() + vector_of(frame.position_in_world).cwiseAbs();
   result.granularity = wheel_from_surface.transpose().cwiseAbs() *
                        springs.cwiseAbs().cwiseProduct(wheel_axes.transpose().cwiseAbs() * reach);

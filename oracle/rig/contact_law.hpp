@@ -28,11 +28,14 @@ BorneForce borne(const Eigen::Vector3d& asked, const Border& border);
 // The horizontal part with a disc that does not follow the load. Its derivative is symmetric.
 BorneForce borne_by_disc(const Eigen::Vector3d& asked, double disc, double brake);
 
-// Of one wheel, around some velocities u: the force asked for changes by -stiffness * jacobian * du.
+// Of one wheel, around some velocities u: the force asked for changes by (turning - stiffness * jacobian) du.
 struct AskedForce {
   Eigen::Vector3d asked = Eigen::Vector3d::Zero();
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  // N s/m
   Jacobian jacobian = Jacobian::Zero();                 // velocity of the body at the pebble, in surface axes
+  // As the body tilts, its wheel's springs turn against the ground. In a fast slide these are stretched by
+  // metres, and a little tilt moves much force from the tangent to the normal.
+  Jacobian turning = Jacobian::Zero();
   // By how much rounding of positions may move the force asked for: a spring of 10^15 N/m feels the last bit.
   Eigen::Vector3d granularity = Eigen::Vector3d::Zero();
   Border border;

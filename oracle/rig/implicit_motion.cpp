@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <groundtruth/rig/body.hpp>
 #include <groundtruth/rig/implicit_solver.hpp>
 #include <groundtruth/rig/motion.hpp>
@@ -5,6 +7,10 @@
 
 namespace groundtruth::rig {
 namespace {
+
+constexpr int most_parts = 64;
+
+Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 class ImplicitStep {
  public:
@@ -51,12 +57,30 @@ class ImplicitStep {
     const BodyState end = drifted(start_.body, free_velocities, h_);
     for (std::size_t i = 0; i < touching_.size(); ++i) {
       if (!std::holds_alternative<Free>(touching_[i])) continue;
-      const auto done = ask(i, end, touching_[i]);
+      auto done = ask(i, end, touching_[i]);
+      if (!done && record_.halt == Halt::wheel_broken) done = ask_above(i, end);
       if (!done) return false;
+      record_.halt = Halt::none;
       touching_[i] = done->state;
       if (auto* contact = std::get_if<Contact>(&touching_[i])) let_arrive(*contact, i, end);
     }
     return true;
+  }
+
+  // In a long step a free fall ends deeper than the strut reaches; pushed back, the wheel need not. The
+  // pebble lies where the strut's line meets the ground within the way that the wheel came.
+  std::optional<Stepped> ask_above(std::size_t wheel, const BodyState& end) {
+    const Wheel& strut = machine_.wheels[wheel].wheel;
+    Frame frame = frame_at(wheel, end);
+    const Eigen::Vector3d bottom = vector_of(frame.position_in_world), down = world_from_wheel(frame).col(2);
+    const double way = (bottom - vector_of(frame_at(wheel, start_.body).position_in_world)).norm();
+    const auto depth = wheel_steps_.entry(bottom + (strut.z_min - way) * down, bottom + strut.z_max * down);
+    if (!depth) return std::nullopt;
+    const double z = strut.z_min - way + *depth * (strut.z_max - strut.z_min + way);
+    const Eigen::Vector3d lifted = bottom + (z - (strut.z_min + strut.z_max) / 2) * down;
+    frame.position_in_world = {lifted.x(), lifted.y(), lifted.z()};
+    record_.halt = Halt::none;
+    return wheel_steps_.step(wheel, frame, Free{}, controls_, record_);
   }
 
   // The pebble of a wheel that touches down comes along with it: nothing is stretched sideways yet.
@@ -84,8 +108,8 @@ class ImplicitStep {
   }
 
   void finish(const ImplicitSolution& solution, MotionState& state) {
-    record_.newton_steps = solution.newton_steps;
-    record_.convex_passes = solution.convex_passes;
+    record_.newton_steps = std::max(record_.newton_steps, solution.newton_steps);
+    record_.convex_passes = std::max(record_.convex_passes, solution.convex_passes);
     record_.forces_in_world.assign(touching_.size(), Eigen::Vector3d::Zero());
     BodyState end = drifted(start_.body, solution.path_velocities, h_);
     end.velocity_in_world = solution.velocities.head<3>();
@@ -107,9 +131,8 @@ class ImplicitStep {
       const auto& contact = std::get<Contact>(touching_[i]);
       const Vector& n = contact.normal_in_world;
       const Eigen::Matrix3d wheel_from_world = world_from_wheel(frame_at(i, end)).transpose();
-      const double violation =
-          border_violation(wheel_from_world * force, wheel_from_world * Eigen::Vector3d(n[0], n[1], n[2]),
-                           border_of(contact, machine_.wheels[i], controls_));
+      const double violation = border_violation(wheel_from_world * force, wheel_from_world * vector_of(n),
+                                                border_of(contact, machine_.wheels[i], controls_));
       record_.forces_in_world[i] = force;
       record_.border_violation = std::max(record_.border_violation, violation);
     }
@@ -127,7 +150,18 @@ class ImplicitStep {
 }  // namespace
 
 void Motion::advance_implicitly(MotionState& state, const Controls& controls) {
-  ImplicitStep(machine_, wheel_steps_, h_, controls, state, record_).take(state);
+  for (int parts = 1; parts <= most_parts; parts *= 2) {
+    const double h = h_ / parts;
+    WheelSteps shorter(machine_, ground_, h);
+    MotionState next = state;
+    record_.halt = Halt::none;
+    record_.parts = parts;
+    for (int i = 0; i < parts && record_.halt == Halt::none; ++i)
+      ImplicitStep(machine_, parts == 1 ? wheel_steps_ : shorter, h, controls, next, record_).take(next);
+    if (record_.halt == Halt::not_solved) continue;
+    if (record_.halt == Halt::none) state = {next.body, std::move(next.wheels), state.steps + 1};
+    return;
+  }
 }
 
 }  // namespace groundtruth::rig

@@ -59,7 +59,10 @@ class Solver {
     const BodyState end = drifted(problem_.start, velocities, problem_.h);
     for (const ContactLaw& law : problem_.contacts) {
       at.asked.push_back(law.at(end));
-      if (!problem_.turns) at.asked.back().jacobian.rightCols<3>().setZero();
+      if (!problem_.turns) {
+        at.asked.back().jacobian.rightCols<3>().setZero();
+        at.asked.back().turning.setZero();
+      }
       at.borne.push_back(borne(at.asked.back().asked, at.asked.back().border));
     }
     at.imbalance = problem_.mass * (velocities - explained_velocities(at));
@@ -94,8 +97,8 @@ class Solver {
     Matrix6 slope = problem_.mass;
     for (std::size_t i = 0; i < at.asked.size(); ++i) {
       const AskedForce& asked = at.asked[i];
-      slope +=
-          problem_.h * asked.jacobian.transpose() * at.borne[i].derivative * asked.stiffness * asked.jacobian;
+      const Jacobian asked_less = asked.stiffness * asked.jacobian - asked.turning;
+      slope += problem_.h * asked.jacobian.transpose() * at.borne[i].derivative * asked_less;
     }
     const Vector6 step = slope.partialPivLu().solve(-at.imbalance);
     for (double part = 1; part > 0x1p-8; part /= 2) {

@@ -38,11 +38,12 @@ std::string_view name_of(Halt halt) {
 
 Motion::Motion(const Machine& machine, const implementations::EngineOnScene& ground, Integrator integrator,
                double h)
-    : machine_(machine), integrator_(integrator), h_(h), wheel_steps_(machine, ground, h) {}
+    : machine_(machine), ground_(ground), integrator_(integrator), h_(h), wheel_steps_(machine, ground, h) {}
 
 const StepRecord& Motion::advance(MotionState& state, const Controls& controls) {
   record_.halt = Halt::none;
   record_.newton_steps = record_.convex_passes = 0;
+  record_.parts = 1;
   record_.forces_in_world.clear();
   record_.border_violation = 0;
   if (integrator_ == Integrator::implicit) {
@@ -87,25 +88,6 @@ void Motion::advance_explicitly(MotionState& state, const Controls& controls, do
   state.body = moved;
   state.wheels.swap(next_wheels_);
   ++state.steps;
-}
-
-// A wheel's steering turns it about its own z, which its springs do not see.
-double energy_of(const Machine& machine, const MotionState& state, const Controls& controls) {
-  const BodyState& body = state.body;
-  const Eigen::Matrix3d world_from_body = rotation_of(body.world_from_body);
-  double energy = kinetic_energy(machine, body, world_from_body) -
-                  machine.mass * controls.gravity_in_world.dot(body.position_in_world);
-  for (std::size_t i = 0; i < machine.wheels.size(); ++i) {
-    const auto* contact = std::get_if<Contact>(&state.wheels[i]);
-    if (contact == nullptr) continue;
-    const auto& [wheel, place_in_body, brake_share, steering_share] = machine.wheels[i];
-    const Eigen::Vector3d arm = vector_of(contact->pebble_in_world) - body.position_in_world;
-    const Eigen::Vector3d p = world_from_body.transpose() * arm - place_in_body;
-    if (p.z() >= wheel.z_max) continue;
-    const double compression = p.z() - wheel.z_zero;
-    energy -= wheel.k_xy * p.head<2>().squaredNorm() / 2 + wheel.k_z * compression * compression / 2;
-  }
-  return energy;
 }
 
 }  // namespace groundtruth::rig

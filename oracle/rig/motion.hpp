@@ -20,7 +20,8 @@ enum class Integrator {
   // The same, but the first push is half as long: velocities stand between positions from then on, and
   // stopping distances are right to second order.
   half_kick,
-  // Forces are those at the end of the step, inside the border there: stable at any stiffness.
+  // Forces are those at the end of the step, inside the border there: stable at any stiffness. Where no such
+  // forces are found the step is taken in 2, 4, ... 64 parts.
   implicit
 };
 
@@ -45,14 +46,12 @@ class Motion {
   void advance_implicitly(MotionState& state, const Controls& controls);
 
   const Machine& machine_;
+  const implementations::EngineOnScene& ground_;
   Integrator integrator_;
   double h_;
   WheelSteps wheel_steps_;
   StepRecord record_;
   std::vector<WheelState> next_wheels_;
 };
-
-// Kinetic energy, height, and springs of the wheels in contact, J. Zero height is the world's origin.
-double energy_of(const Machine& machine, const MotionState& state, const Controls& controls);
 
 }  // namespace groundtruth::rig

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <groundtruth/rig/body.hpp>
+#include <groundtruth/rig/energy.hpp>
 #include <groundtruth/rig/recurrence.hpp>
 
 namespace groundtruth::rig {
@@ -64,6 +65,7 @@ class Player {
   Player(const Scenario& scenario, const implementations::EngineOnScene& ground,
          const std::function<void(const Moment&)>& observer)
       : scenario_(scenario),
+        ground_(ground),
         motion_(scenario.machine, ground, scenario.integrator, scenario.h),
         observer_(observer),
         are_inputs_constant_(scenario.inputs.are_constant()),
@@ -71,7 +73,7 @@ class Player {
         steps_(static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h))),
         state_(start_of(scenario)),
         middle_(state_),
-        energy_(energy_of(scenario.machine, state_, controls_)) {}
+        energy_(energy_of(scenario.machine, ground, state_, controls_)) {}
 
   Summary run(Repetitions repetitions) {
     Recurrence recurrence;
@@ -107,7 +109,7 @@ class Player {
   }
 
   void measure_energy(const BodyState& before) {
-    const double energy = energy_of(scenario_.machine, state_, controls_);
+    const double energy = energy_of(scenario_.machine, ground_, state_, controls_);
     const double weight = scenario_.machine.mass * controls_.gravity_in_world.norm();
     const double work = work_of(controls_, before, state_.body);
     if (weight > 0) summary_.energy_rise = std::max(summary_.energy_rise, (energy - energy_ - work) / weight);
@@ -129,6 +131,7 @@ class Player {
   }
 
   const Scenario& scenario_;
+  const implementations::EngineOnScene& ground_;
   Motion motion_;
   const std::function<void(const Moment&)>& observer_;
   const bool are_inputs_constant_;

@@ -21,8 +21,9 @@ struct StepRecord {
   std::string reason;                            // of a refusal
   std::vector<Eigen::Vector3d> forces_in_world;  // on the body, one a wheel
   double border_violation = 0;                   // of friction beyond disc or band, in parts of the load
-  int newton_steps = 0;                          // of the implicit integrator
+  int newton_steps = 0;                          // of the implicit integrator, in its hardest part
   int convex_passes = 0;
+  int parts = 1;  // in which an implicit step was taken; the forces are those of the last
 };
 
 }  // namespace groundtruth::rig

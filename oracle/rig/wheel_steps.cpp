@@ -58,4 +58,12 @@ std::optional<Stepped> WheelSteps::step(std::size_t wheel, const Frame& frame, c
   return std::nullopt;
 }
 
+std::optional<double> WheelSteps::entry(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+  if (!from.allFinite() || !to.allFinite()) return std::nullopt;
+  const Ask ask = EntryAsk{{from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}, 0, 1};
+  const auto entry = std::get<EntryAnswer>(ground_.answer(ask).answer);
+  const auto* border = std::get_if<Border>(&entry);
+  return border != nullptr && border->lambda > 0 ? std::optional(border->lambda) : std::nullopt;
+}
+
 }  // namespace groundtruth::rig

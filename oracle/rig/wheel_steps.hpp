@@ -20,6 +20,10 @@ class WheelSteps {
   std::optional<Stepped> step(std::size_t wheel, const Frame& frame, const WheelState& state,
                               const Controls& controls, StepRecord& record);
 
+  // Where on the way from one place to the other the ground is entered, in parts of it; nothing if it is not,
+  // or at the beginning already.
+  std::optional<double> entry(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
  private:
   const Machine& machine_;
   const implementations::EngineOnScene& ground_;

@@ -85,5 +85,29 @@ TEST(BorderViolation, IsInPartsOfTheLoad) {
   EXPECT_EQ(border_violation({3, 4, 10}, up, {0, 0}), 0) << "no load";
 }
 
+// In a fast slide: the pebble lies half a metre behind, and the body pitches, rolls and yaws a little.
+RC_GTEST_PROP(ContactLaw, ItsSlopeIsThatOfItsDifferences, ()) {
+  constexpr double h = 1.0 / 60, width = 1e-6;
+  MountedWheel mounted;
+  mounted.place_in_body = {-0.4, 1.2, 0.3};
+  mounted.wheel = {-1e6, -1e6, -1e4, -1e4, 0.2, 0.8, 0.8, "rubber"};
+  const Contact contact{Grip::slip, {-0.9 - between(0, 1) / 2, -1.2, 0}, {}, {0, 0, 1}, 0.5, 0.4, {}};
+  const Controls controls;
+  const ContactLaw law(mounted, contact, controls, h);
+  BodyState body;
+  body.world_from_body = {0, 1, between(-1, 1) / 1000, between(-1, 1) / 1000};
+  body.position_in_world = {0, 0, 1.09};
+  Vector6 velocities;
+  velocities << between(20, 60), between(-1, 1), 0, 0, 0, 0;
+  const AskedForce at = law.at(drifted(body, velocities, h));
+  const Jacobian slope = at.turning - at.stiffness * at.jacobian;
+  for (int i = 0; i < 6; ++i) {
+    const Vector6 aside = width * Vector6::Unit(i);
+    const Eigen::Vector3d difference = law.at(drifted(body, velocities + aside, h)).asked -
+                                       law.at(drifted(body, velocities - aside, h)).asked;
+    RC_ASSERT((difference / (2 * width) - slope.col(i)).norm() <= 0.01 * slope.norm());
+  }
+}
+
 }  // namespace
 }  // namespace groundtruth::rig

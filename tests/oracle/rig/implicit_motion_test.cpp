@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <groundtruth/tests/oracle/rig/landings.hpp>
+
 #include "runs.hpp"
 
 namespace groundtruth::rig {
@@ -48,6 +50,30 @@ TEST_P(Stiff, StopsKeepTheBorderAndEnergyFalls) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HeaveTimesH, Stiff, ::testing::Values(0.4, 4.0, 40.0, 400.0));
+
+// A free fall of the step's length ends below the struts' stops.
+TEST(ImplicitMotion, HalfASecondsStepTouchesDownAndStands) {
+  Scenario scenario = testing::builtin("parked-5");
+  scenario.integrator = Integrator::implicit;
+  scenario.h = 0.5;
+  scenario.duration = 600;
+  const Summary summary = play(scenario, "fast");
+  EXPECT_EQ(summary.outcome, Halt::none);
+  EXPECT_EQ(summary.wheel_steps_stick, 3600U);
+  EXPECT_EQ(summary.pebble_drift_m, 0);
+}
+
+TEST(ImplicitMotion, EveryStepOfLandingsOnThreeWheelsIsSolved) {
+  for (const Relocation relocation : {Relocation::spring, Relocation::return_mapping}) {
+    properties::Dice dice(1);
+    for (int i = 0; i < 150; ++i) {
+      const LandingKind kind{stability::Wheels::three, Integrator::implicit, relocation};
+      const Summary summary = play(random_landing(kind, 100, dice), "fast");
+      EXPECT_NE(summary.outcome, Halt::not_solved) << i;
+      EXPECT_LE(summary.border_violation, 1e-9) << i;
+    }
+  }
+}
 
 TEST(ImplicitMotion, AMirroredStartGivesTheMirroredRunToTheBit) {
   Scenario scenario = implicit_scenario("stop-dry", 0.4, 200);
