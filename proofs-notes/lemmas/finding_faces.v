@@ -1,7 +1,7 @@
 (* The face rule computed (SPEC section 3; faces.md, 8): that some direction shows a leaf to bound is decided by
    trying one direction in each sector of its plane. *)
 
-From Coq Require Import List Bool ZArith QArith Qabs Lqa.
+From Coq Require Import List Bool Arith ZArith QArith Qabs Lqa.
 From Groundtruth Require Import shapes standing faces rewriting simplifications generic same_faces samples.
 Import ListNotations.
 Open Scope Q_scope.
@@ -32,8 +32,12 @@ Definition outward (p v : vector) (i h : half_space) : bool :=
   | Open => Qle_bool (dot (normal h) (if same_plane i h then normal i else v)) 0
   end.
 
+Definition rationals_are_same (a b : Q) : {a = b} + {a <> b}.
+Proof. decide equality; [apply Pos.eq_dec | apply Z.eq_dec]. Defined.
+Definition vectors_are_same (a b : vector) : {a = b} + {a <> b}.
+Proof. decide equality; apply rationals_are_same. Defined.
 Definition half_spaces_are_same (g h : half_space) : {g = h} + {g <> h}.
-Proof. repeat (decide equality). Defined.
+Proof. decide equality; [apply rationals_are_same | apply vectors_are_same | apply Nat.eq_dec]. Defined.
 
 Definition crosses (p : vector) (i h : half_space) : bool := is_open p h && negb (same_plane i h).
 
