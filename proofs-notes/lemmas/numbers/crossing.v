@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core.
-From Groundtruth Require Import doubles.
+From Groundtruth Require Import doubles pair_sum.
 Open Scope R_scope.
 
 Definition crossing_unit := 128 * u * u.
@@ -36,6 +36,74 @@ Proof.
   assert (fl (high + fl (low + - e)) <= fl (high + low)) by (apply fl_monotone; lra).
   lra.
 Qed.
+
+Section Difference.
+
+(* Delta at both ends, as delta_in_pairs.v leaves it; M the sum of both sizes. *)
+Variables va ra vb rb Ma Mb lost A B : R.
+Hypotheses (Dva : is_double va) (Dra : is_double ra) (Dvb : is_double vb) (Drb : is_double rb).
+Hypotheses (Ma_pos : 0 <= Ma) (Mb_pos : 0 <= Mb) (lost_pos : 0 <= lost).
+Hypotheses (a_near : Rabs (va + ra - A) <= 32 * u * u * Ma + lost) (b_near : Rabs (vb + rb - B) <= 32 * u * u * Mb + lost).
+Hypotheses (va_size : Rabs va <= (1 + 4 * u) * Ma) (vb_size : Rabs vb <= (1 + 4 * u) * Mb).
+Hypotheses (ra_size : Rabs ra <= 4 * u * Ma) (rb_size : Rabs rb <= 4 * u * Mb).
+
+Let difference := fl (va + - vb).
+Let t := fl (rest va (- vb) + fl (ra + - rb)).
+Let w_high := fl (difference + t).
+Let w_low := rest difference t.
+
+Theorem w_error : Rabs (w_high + w_low - (A - B)) <= 42 * u * u * (Ma + Mb) + 2 * lost.
+Proof.
+  assert (is_double (- vb)) as Dnb by now apply generic_format_opp.
+  assert (is_double (- rb)) as Dnr by now apply generic_format_opp.
+  assert (is_double difference) as Dd by apply fl_is_double. assert (is_double t) as Dt by apply fl_is_double.
+  unfold w_high, w_low. rewrite (two_sum_is_exact difference t Dd Dt).
+  pose proof (two_sum_is_exact va (- vb) Dva Dnb) as exact; fold difference in exact.
+  pose proof (sum_error va (- vb) Dva Dnb) as d_near; fold difference in d_near.
+  set (d := rest va (- vb)) in *. assert (is_double d) as Ddl by apply fl_is_double.
+  pose proof (sum_error ra (- rb) Dra Dnr) as r_near; set (r := fl (ra + - rb)) in *.
+  pose proof (sum_error d r Ddl (fl_is_double _)) as t_near; fold t in t_near.
+  set (M := Ma + Mb). assert (0 <= M) by (unfold M; lra).
+  assert (0 <= u) by (unfold u; lra). assert (0 <= u * M) by now apply Rmult_le_pos.
+  assert (0 <= u * (u * M)) by now apply Rmult_le_pos.
+  assert (u * (u * M) <= / 1000000000 * (u * M)) by (apply Rmult_le_compat_r; [assumption | unfold u; lra]).
+  assert (u * (u * (u * M)) <= / 1000000000 * (u * (u * M))) by (apply Rmult_le_compat_r; [assumption | unfold u; lra]).
+  apply within in va_size; apply within in vb_size; apply within in ra_size; apply within in rb_size.
+  assert (Rabs (va + - vb) <= M + 4 * (u * M)) by (unfold M; apply Rabs_le; lra).
+  assert (u * Rabs (va + - vb) <= u * (M + 4 * (u * M))) by now apply Rmult_le_compat_l.
+  assert (Rabs (ra + - rb) <= 4 * (u * M)) by (unfold M; apply Rabs_le; lra).
+  assert (u * Rabs (ra + - rb) <= u * (4 * (u * M))) by now apply Rmult_le_compat_l.
+  apply within in d_near; apply within in r_near; apply within in a_near; apply within in b_near.
+  assert (Rabs (ra + - rb) <= 4 * (u * M)) as rr by assumption; apply within in rr.
+  assert (Rabs (d + r) <= 5 * (u * M) + 9 * (u * (u * M))) by (apply Rabs_le; lra).
+  assert (u * Rabs (d + r) <= u * (5 * (u * M) + 9 * (u * (u * M)))) by now apply Rmult_le_compat_l.
+  apply within in t_near.
+  replace (42 * u * u * (Ma + Mb)) with (42 * (u * (u * M))) by (unfold M; ring).
+  replace (32 * u * u * Ma) with (32 * (u * (u * Ma))) in a_near by ring.
+  replace (32 * u * u * Mb) with (32 * (u * (u * Mb))) in b_near by ring.
+  assert (u * (u * M) = u * (u * Ma) + u * (u * Mb)) by (unfold M; ring).
+  apply Rabs_le; lra.
+Qed.
+
+(* What the quotient takes of it. *)
+Theorem lambda_is_near : forall lambda, A = lambda * (A - B) ->
+  Rabs (va + ra - lambda * (w_high + w_low)) <= (1 + 2 * Rabs lambda) * (52 * u * u * (Ma + Mb) + lost).
+Proof.
+  intros lambda crossing. pose proof w_error as near. set (w := w_high + w_low) in *.
+  replace (va + ra - lambda * w) with ((va + ra - A) + - (lambda * (w - (A - B))))
+    by (replace (lambda * (w - (A - B))) with (lambda * w - lambda * (A - B)) by ring; rewrite <- crossing; ring).
+  apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp, Rabs_mult.
+  assert (Rabs lambda * Rabs (w - (A - B)) <= Rabs lambda * (42 * u * u * (Ma + Mb) + 2 * lost))
+    by (apply Rmult_le_compat_l; [apply Rabs_pos | assumption]).
+  set (X := u * u * (Ma + Mb)). assert (0 <= X) by (apply Rmult_le_pos; [unfold u |]; lra).
+  assert (u * u * Ma <= X) by (apply Rmult_le_compat_l; [unfold u |]; lra).
+  pose proof (Rabs_pos lambda). assert (0 <= Rabs lambda * X) by now apply Rmult_le_pos.
+  replace (42 * u * u * (Ma + Mb)) with (42 * X) in * by (unfold X; ring).
+  replace (52 * u * u * (Ma + Mb)) with (52 * X) by (unfold X; ring).
+  replace (32 * u * u * Ma) with (32 * (u * u * Ma)) in a_near by ring.
+  lra.
+Qed.
+End Difference.
 
 Section Quotient.
 
@@ -174,5 +242,7 @@ Proof.
 Qed.
 
 Print Assumptions rounding_is_certain.
+Print Assumptions w_error.
+Print Assumptions lambda_is_near.
 Print Assumptions quotient_error.
 Print Assumptions error_by_computed.
