@@ -284,6 +284,12 @@ Proof.
   destruct u as [u |]; simpl; [| tauto]. rewrite negb_true_iff, <- not_true_iff_false, Qle_bool_iff. split; intros; lra.
 Qed.
 
+Lemma bounding_leaf_stands s p h : bounds s p h -> In h (standing (at_point p) s).
+Proof.
+  intros (_ & v & _ & _ & _ & _ & stands). revert stands. apply standing_refined. intros g known. unfold beside.
+  now destruct (at_point p g).
+Qed.
+
 (* SPEC section 3, rules 1 and 2, are computed. *)
 Theorem admissible_leaves_are_right s p u i : In i (admissible_leaves s p u) <-> admissible s p u i.
 Proof.
@@ -292,8 +298,7 @@ Proof.
     by (intros h; unfold stand; rewrite filter_In, counts_found_iff; tauto).
   assert (bound_iff : forall h, In h (filter (bounds_found s p) stand) <-> bounds s p h /\ counts u h).
   { intros h. rewrite filter_In, bounds_found_iff, stand_iff. split; [tauto |]. intros (bounding & counted).
-    split; trivial. split; trivial. destruct bounding as (open & v & _ & _ & _ & _ & stands).
-    revert stands. apply standing_refined. intros g known. unfold beside. now destruct (at_point p g). }
+    split; trivial. split; trivial. now apply bounding_leaf_stands. }
   destruct (filter (bounds_found s p) stand) as [| one rest] eqn:found.
   - rewrite stand_iff. split.
     + intros (stands & counted). right. split; [| now split]. intros h rule_1. now apply bound_iff in rule_1.

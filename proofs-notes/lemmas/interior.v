@@ -9,7 +9,7 @@ Open Scope Q_scope.
 Definition open_leaves (s : shape half_space) (p : vector) : list half_space := filter (is_open p) (leaves s).
 Definition generic_at (s : shape half_space) (p : vector) : vector := generic (map normal (open_leaves s p)).
 Definition interior_found (s : shape half_space) (p : vector) : bool :=
-  cone s p (generic_at s p) && negb (existsb (bounds_found s p) (leaves s)).
+  cone s p (generic_at s p) && negb (existsb (bounds_found s p) (standing (at_point p) s)).
 
 Lemma dot_cross_swap a b c : dot (cross a b) c == dot a (cross b c).
 Proof. unfold dot, cross. cbn [local_shape.x local_shape.y local_shape.z]. ring. Qed.
@@ -236,8 +236,7 @@ Proof.
     + intros h there. apply generic_is_in_no_plane; [now apply in_map |].
       apply filter_In in there as (_ & open). apply is_open_iff in open. now apply open_normal_is_not_zero with p.
     + intros i bounding. apply not_true_iff_false in none. apply none, existsb_exists. exists i.
-      split; [| now apply bounds_found_iff]. destruct bounding as (_ & v & _ & _ & _ & _ & stands).
-      now apply standing_leaf_is_open in stands.
+      split; [now apply bounding_leaf_stands | now apply bounds_found_iff].
   - intros inside. split; [now apply interior_iff_local_shape_is_everything |]. apply not_true_iff_false. intros some.
     apply existsb_exists in some as (i & _ & bounding). apply bounds_found_iff in bounding.
     revert bounding. now apply interior_points_have_no_face.

@@ -14,8 +14,11 @@ Fixpoint least (roots : list Q) : option Q :=
 Definition beyond (r : Q) (roots : list Q) : list Q := filter (fun s => negb (Qle_bool s r)) roots.
 Definition after (roots : list Q) (r : Q) : Q :=
   match least (beyond r roots) with Some s => (r + s) / 2 | None => r + 1 end.
-Definition samples (roots : list Q) : list Q :=
+Definition distinct (roots : list Q) : list Q :=
+  fold_right (fun r rest => if existsb (Qeq_bool r) rest then rest else r :: rest) [] roots.
+Definition samples_between (roots : list Q) : list Q :=
   (match least roots with Some r => r - 1 | None => 0 end) :: map (after roots) roots.
+Definition samples (roots : list Q) : list Q := samples_between (distinct roots).
 
 Lemma least_is_least roots : match least roots with
   | Some r => In r roots /\ forall s, In s roots -> r <= s
@@ -75,9 +78,21 @@ Proof.
     + right. intros r [<- | inside]; auto.
 Qed.
 
-(* A sample lies in the gap of t. *)
-Theorem samples_are_in_every_gap roots t : (forall r, In r roots -> ~ t == r) ->
-  exists c, In c (samples roots) /\ forall r, In r roots -> (t < r -> c < r) /\ (r < t -> r < c).
+Lemma distinct_are_the_same roots :
+  (forall r, In r roots -> exists s, In s (distinct roots) /\ r == s) /\ (forall s, In s (distinct roots) -> In s roots).
+Proof.
+  induction roots as [| q rest (covered & inside)]; simpl; [split; easy |].
+  destruct (existsb (Qeq_bool q) (distinct rest)) eqn:known.
+  - split; [| intros s there; right; now apply inside]. intros r [<- | there]; [| now apply covered].
+    apply existsb_exists in known as (s & there & same). exists s. split; trivial. now apply Qeq_bool_iff.
+  - split.
+    + intros r [<- | there]; [exists q; split; [now left | reflexivity] |].
+      destruct (covered r there) as (s & found & same). exists s. split; [now right | trivial].
+    + intros s [<- | there]; [now left | right; now apply inside].
+Qed.
+
+Lemma samples_are_between roots t : (forall r, In r roots -> ~ t == r) ->
+  exists c, In c (samples_between roots) /\ forall r, In r roots -> (t < r -> c < r) /\ (r < t -> r < c).
 Proof.
   intros off. destruct (any_before roots t) as [some | none].
   - destruct (greatest_before roots t some) as (low & inside & less & greatest).
@@ -88,6 +103,18 @@ Proof.
   - eexists. split; [now left |]. intros r there. assert (found := least_is_least roots).
     assert (t_r := none r there). destruct (least roots) as [low |]; [| now subst].
     assert (low <= r) by now apply found. split; intros; lra.
+Qed.
+
+(* A sample lies in the gap of t. *)
+Theorem samples_are_in_every_gap roots t : (forall r, In r roots -> ~ t == r) ->
+  exists c, In c (samples roots) /\ forall r, In r roots -> (t < r -> c < r) /\ (r < t -> r < c).
+Proof.
+  intros off. destruct (distinct_are_the_same roots) as (covered & inside).
+  destruct (samples_are_between (distinct roots) t) as (c & found & gap); [intros r there; apply off, inside, there |].
+  exists c. split; [exact found |]. intros r there. destruct (covered r there) as (s & known & same).
+  destruct (gap s known) as (up & down). split; intros order.
+  - assert (c < s) by (apply up; lra). lra.
+  - assert (s < c) by (apply down; lra). lra.
 Qed.
 
 (* (1, t, t^2) lies in no plane of finitely many, if t is large enough. *)
