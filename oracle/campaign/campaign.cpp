@@ -38,12 +38,19 @@ std::vector<Batch> batches_of(const Plan& plan) {
   return batches;
 }
 
+Sampling sampling_of(const std::string& engine, std::size_t leaves) {
+  if (engine == "definition") return definition_sampling(leaves);
+  if (engine == "proved") return proved_sampling(leaves);
+  return {};
+}
+
 struct EngineOnPart {
   std::unique_ptr<const EngineOnScene> engine;
   Sampling sampling;
 
   bool is_asked(const Ask& ask, std::uint64_t index) const {
-    return index % std::array{sampling.entry, sampling.clip, sampling.step}[ask.index()] == 0;
+    const std::uint64_t one_in = std::array{sampling.entry, sampling.clip, sampling.step}[ask.index()];
+    return one_in != 0 && index % one_in == 0;
   }
 };
 
@@ -60,9 +67,8 @@ std::vector<Part> prepare(const Plan& plan) {
     const Scene& scene = plan.pack[i];
     Part part{asks_for(plan, i), {}};
     for (const auto& engine : engines) {
-      const bool slow = engine->name() == "definition";
-      const Sampling sampling = slow ? definition_sampling(cases::leaf_count(scene.shape)) : Sampling{};
-      part.engines.push_back({engine->on(scene), sampling});
+      part.engines.push_back(
+          {engine->on(scene), sampling_of(engine->name(), cases::leaf_count(scene.shape))});
     }
     parts.push_back(std::move(part));
   }
@@ -115,6 +121,8 @@ Sampling definition_sampling(std::size_t leaves) {
   const std::uint64_t large = leaves / 256;
   return {1 + large * 2, 2, 8 + large};
 }
+
+Sampling proved_sampling(std::size_t leaves) { return {1 + leaves / 16, 0, 0}; }
 
 cases::AskSource asks_for(const Plan& plan, std::size_t part) {
   return {plan.pack[part], cases::seed_of_part(plan.seed, part)};

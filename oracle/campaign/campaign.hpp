@@ -14,7 +14,8 @@
 
 namespace groundtruth::campaign {
 
-// One ask in this many, of each kind, is put to an engine: 1 where it is quick enough for all.
+// One ask in this many, of each kind, is put to an engine: 1 where it is quick enough for all, 0 where it
+// answers none.
 struct Sampling {
   std::uint64_t entry = 1;
   std::uint64_t clip = 1;
@@ -23,6 +24,8 @@ struct Sampling {
 
 // What the definition can answer of a scene with this many leaves in the time of a check.
 Sampling definition_sampling(std::size_t leaves);
+// The same of the proved witness, which answers entry asks only.
+Sampling proved_sampling(std::size_t leaves);
 
 struct Plan {
   std::vector<Scene> pack;           // the asks are shared out over its scenes

@@ -24,6 +24,7 @@ struct Options {
   std::uint64_t cases = 100000;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::string> scenes;  // files or built-in names; none: all built-in ones
+  std::string witness;              // empty: none but those of this program
   std::string show;
   bool json = false;
 };
@@ -63,17 +64,19 @@ Exit show(const Options& options) {
 report::CheckedScene check(const NamedPack& named, const Options& options, std::uint64_t cases,
                            ProgressBar& bar) {
   report::CheckedScene checked{named.name, 0, implementations::engine_names(), {}};
+  if (!options.witness.empty()) checked.engines.push_back(options.witness);
   for (const Scene& scene : named.pack) checked.leaves += cases::leaf_count(scene.shape);
   const campaign::Plan plan{named.pack, checked.engines, options.seed, cases, options.jobs};
   checked.tallies = campaign::run(plan, [&](std::uint64_t done) { bar.show(named.name, done, cases); });
   return checked;
 }
 
-// Of the second witness and of the fast engine: both claim to say what `exact` says. The others do not.
-std::uint64_t broken_claims(const report::CheckedScene& checked) {
+// Of the witnesses and of the fast engine: they claim to say what `exact` says. The others do not.
+std::uint64_t broken_claims(const report::CheckedScene& checked, const Options& options) {
   std::uint64_t broken = 0;
   for (std::size_t i = 0; i < checked.engines.size(); ++i) {
-    const bool claims = checked.engines[i] == "definition" || checked.engines[i] == "fast";
+    const std::string& engine = checked.engines[i];
+    const bool claims = engine == "definition" || engine == "fast" || engine == options.witness;
     if (claims) broken += checked.tallies[i].disagreements();
   }
   return broken;
@@ -94,6 +97,14 @@ void print(const report::CheckedScene& checked, const Options& options) {
 
 Exit run(const Options& options) {
   if (!options.show.empty()) return show(options);
+  if (!options.witness.empty() && implementations::make_engine(options.witness) == nullptr) {
+    fmt::print(
+        stderr,
+        "groundtruth check: --witness {}: proved-phi, which is built where Coq and OCaml are installed "
+        "(.ci/install-dependencies --with-proofs), is neither beside this program nor on PATH\n",
+        options.witness);
+    return Exit::usage;
+  }
   const auto start = std::chrono::steady_clock::now();
   const std::vector<NamedPack> packs = packs_named(options.scenes);
   if (!options.json) fmt::print("seed {}, {} asks, {} jobs\n\n", options.seed, options.cases, options.jobs);
@@ -105,11 +116,12 @@ Exit run(const Options& options) {
     bar.clear();
     print(checked, options);
     std::fflush(stdout);
-    wrong += broken_claims(checked);
+    wrong += broken_claims(checked, options);
   }
   if (!options.json) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    fmt::print("exact, definition and fast {}; {:.1f} s\n",
+    fmt::print("exact, definition{} {}; {:.1f} s\n",
+               options.witness.empty() ? " and fast" : ", fast and proved",
                wrong == 0 ? "agree" : fmt::format("DISAGREE on {} answers", wrong), seconds.count());
   }
   return wrong == 0 ? Exit::agrees : Exit::disagrees;
@@ -129,6 +141,10 @@ Subcommand add_check(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--scene", options->scenes,
                       "A scene file or the name of a built-in scene; may be repeated");
+  command
+      ->add_option("--witness", options->witness,
+                   "Ask this one too: proved (entry asks only; slow on large scenes)")
+      ->check(CLI::IsMember({"proved"}));
   command->add_option("--show", options->show,
                       "Print the scene and the ask SCENE:PART:INDEX, for groundtruth answer");
   command->add_flag("--json", options->json, "One JSON object a scene and engine");

@@ -31,7 +31,8 @@ class Engine {
   virtual std::unique_ptr<const EngineOnScene> on(const Scene& scene) const = 0;
 };
 
-// `name` is one of engine_names(), or "as-written:ERRATUM,..." with only these errata. `digits` > 0 asks
+// `name` is one of engine_names(), "as-written:ERRATUM,..." with only these errata, or "proved" where
+// proved-phi is built: entry asks only, by a process of its own; it throws when that fails. `digits` > 0 asks
 // engines that can for decimal enclosures. Absent: there is no such engine or erratum.
 std::unique_ptr<const Engine> make_engine(std::string_view name, unsigned digits = 0);
 

@@ -19,6 +19,7 @@ ALLOWED = {
     "oracle/cases": {"problem"},
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
+    "oracle/proved": set(),  # OCaml
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/validation": {"diagnosis", "problem", "text", "judge", "cases", "implementations"},
     "oracle/report": {"rig", "stability", "validation", "campaign", "cases", "diagnosis", "implementations", "judge",

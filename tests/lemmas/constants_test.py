@@ -14,6 +14,8 @@ HEX = r"(-?0x[0-9a-fA-F.]+p[+-]?\d+)"
 CONSTANTS = [
     ("fast/number_counted.hpp", rf"unit_of<PairWith<Products>> = {HEX};", "pair_sum.v", "pair_unit"),
     ("fast/number_counted.hpp", rf"unit_of<double> = {HEX};", "counted.v", "u"),
+    ("fast/number_counted.hpp", rf"b.error\(\) <= {HEX} \* divisor", "counted_roots.v", "known_to"),
+    ("fast/number_counted.hpp", rf"a.error\(\) <= {HEX} \* approximate", "counted_roots.v", "known_to"),
     ("fast/number_counted.hpp", rf"unit_of<Real> \* \(1 \+ {HEX}\)", "counted.v", "second_orders"),
     ("fast/cell.hpp", rf"{HEX} \* greatest_coordinate_", "delta_error.v", "per_size"),
     ("fast/cell.hpp", rf"{HEX} \* offset_size", "delta_error.v", "per_size"),
@@ -43,6 +45,15 @@ EXPRESSIONS = [
     ("fast/number_pair.hpp", "const double sum = a + b; return {sum, b - (sum - a)};"),
     ("fast/number_pair.hpp", "return {s.high, s.low + (a.low + b.low)};"),
     ("fast/number_pair.hpp", "return {p.high, p.low + (a.high * b.low + a.low * b.high)};"),
+    ("fast/crossing_body.hpp", "const double error = 128 * unit * unit * (size * inverse) * (1 + 2 * magnitude) +"
+                               " 32 * unit * unit * magnitude + 0x1p-1000 * (1 + 2 * magnitude) * inverse;"),
+    ("fast/crossing_body.hpp", "return {s2.value, ((e0 + e1) + e2) + ((s0.lost + s1.lost) + s2.lost),"),
+    ("fast/crossing_body.hpp", "Products::remainder(at.value[0], q0, w.value) + (at.rest[0] - q0 * w.lost);"),
+    ("fast/crossing_body.hpp", "const auto lambda = Twice::sum(q0, remainder * signed_inverse);"),
+    ("fast/crossing_body.hpp", "lambda.value + (lambda.lost + error) == lambda.value + (lambda.lost - error)"),
+    ("fast/number_counted.hpp", "std::abs(static_cast<double>(a.value)) * (1 + 0x1p-50) + 2 * a.error();"),
+    ("fast/number_counted.hpp", "const double inverse = 1.01 / divisor;"),
+    ("fast/number_counted.hpp", "1.01 * std::max(a.size, approximate) / std::sqrt(approximate)"),
     ("fast/cell.cpp", "const double inverse = 1 / w, middle = delta_at_first * inverse, margin = error * std::abs(inverse);"),
 ]
 
