@@ -98,6 +98,10 @@ class Cone {
   const Leaves& standing_;
 };
 
+// More leaves than this stand at a point where arithmetic cannot tell planes apart: then the first that may be
+// met is as good as any, and the time that an ask takes stays bounded.
+inline constexpr std::size_t most_standing = 32;
+
 // The canonical leaf at the first place of the solid; null: the place is interior.
 template <class Real>
 const Node<Real>* canonical_face(const Solid<Real>& solid, const Segment<Real>& segment,
@@ -111,13 +115,14 @@ const Node<Real>* canonical_face(const Solid<Real>& solid, const Segment<Real>& 
     return at_start || sign_of(dot(leaf->normal, segment.direction())) < 0;
   };
   bool is_bounded = false;
-  for (std::size_t leaf = 0; leaf < standing.size(); ++leaf) {
+  const bool is_hopeless = standing.size() > most_standing;
+  for (std::size_t leaf = 0; leaf < standing.size() && !is_hopeless; ++leaf) {
     if (is_bounded && !may_be_met(standing[leaf])) continue;
     if (!cone.bounded_by(leaf)) continue;
     is_bounded = true;
     if (may_be_met(standing[leaf])) return standing[leaf];
   }
-  if (at_start && !is_bounded && cone.is_all_of_space()) return nullptr;
+  if (at_start && !is_bounded && !is_hopeless && cone.is_all_of_space()) return nullptr;
   for (const Node<Real>* leaf : standing)
     if (may_be_met(leaf)) return leaf;
   return standing.front();
