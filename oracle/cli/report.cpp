@@ -117,8 +117,10 @@ void note_omissions(const Amount& amount, report::Measured& measured) {
   for (const auto& run : measured.trajectories)
     if (run.mark == precision::RunMark::halted)
       measured.omissions.push_back(
-          {fmt::format("{}, {} at h = {:g} s, springs x {:g}: stopped before its end", run.motion,
-                       rig::name_of(run.integrator), run.h, run.stiffness),
+          {fmt::format("{}, {}, {} relocation at h = {:g} s, springs x {:g}: stopped before its end",
+                       run.motion, rig::name_of(run.integrator),
+                       run.relocation == Relocation::spring ? "spring" : "return-mapping", run.h,
+                       run.stiffness),
            run.reason});
 }
 

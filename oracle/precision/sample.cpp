@@ -15,7 +15,7 @@ using cases::Flavour;
 // Of the roots that answers hold: far more than an ulp's share.
 constexpr unsigned digits = 60;
 // Of a stream, for each ask wanted.
-constexpr std::uint64_t patience = 300;
+constexpr std::uint64_t patience = 600;
 
 constexpr std::array ordinary_flavours{Flavour::entry_random,  Flavour::entry_strut,    Flavour::clip_random,
                                        Flavour::step_free_hit, Flavour::step_free_miss, Flavour::step_resting,

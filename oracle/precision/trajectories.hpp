@@ -10,7 +10,12 @@
 
 namespace groundtruth::precision {
 
-enum class RunMark { none, creeping, blown_up, halted };
+enum class RunMark {
+  none,
+  creeping,  // pebbles that should stand moved in the second half
+  blown_up,  // a step made more than 0.1 m g 1 m of energy, and the end is more than 0.1 m off
+  halted     // a step gave a reason
+};
 
 std::string_view name_of(RunMark mark);
 

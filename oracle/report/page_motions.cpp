@@ -37,11 +37,11 @@ std::string trajectory_section(const Measured& measured) {
     html += fmt::format("<h3>{}</h3>\n<figure>\n", escaped(kind.name));
     html += trajectory_errors_plot(kind.name, measured.trajectories);
     html += fmt::format(
-        "<figcaption>{}. Error: distance of the body from where it should be at the end, which is what {} "
-        "says. "
-        "Each curve halves its step from mark to mark, from 1/64 s on. Errors below a picometre are drawn "
-        "where "
-        "they lie, but rounding rules there. {}</figcaption></figure>\n",
+        "<figcaption>{}. Error: how far the body ends from where {} ends. Each curve halves its step from "
+        "mark "
+        "to mark, from 1/64 s on. Spring relocation is the model as asked for, and need not come to the same "
+        "end "
+        "however short its steps. {}</figcaption></figure>\n",
         escaped(kind.description), escaped(kind.reference), escaped(provenance_of(measured)));
   }
   return html;

@@ -59,7 +59,7 @@ std::string table_of(const Study& study) {
                            duration_in_words(result.nanoseconds.most)),
                std::to_string(result.timed_asks), place_of(study, result.worst),
                place_of(study, result.first_wrong)},
-              result.is_on_front ? "front" : "");
+              result.is_on_front ? "best" : "");
   }
   return table.finished();
 }
@@ -97,6 +97,7 @@ std::string section_of(const Measured& measured, const Study& first) {
       "Dashed: the front, of tiers that nothing beats in both. ✕ took wrong decisions, ○ left "
       "some open, ● took all rightly.",
       escaped(provenance_of(measured)));
+  html += "<p class=\"soft\">To see an ask that the tables name, and its exact answer:</p>\n";
   html += fmt::format(
       "<pre>groundtruth check --seed {} --show {}:PART:INDEX | groundtruth answer --engine exact"
       "</pre>\n",

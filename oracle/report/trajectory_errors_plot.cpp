@@ -81,9 +81,9 @@ class Panel {
     chart_.line(places, fmt::format("run c{}", static_cast<int>(hue)));
     const Mark usual = curve.front()->relocation == Relocation::spring ? Mark::disc : Mark::ring;
     for (const TrajectoryRun* run : curve) {
-      chart_.mark(run->mark == RunMark::none ? usual : Mark::cross, hue, place_of(*run));
-      if (run->mark != RunMark::none)
-        chart_.label(place_of(*run), hue, std::string(precision::name_of(run->mark)));
+      const bool creeps = run->mark == RunMark::creeping;
+      const Mark mark = run->mark == RunMark::none ? usual : creeps ? Mark::diamond : Mark::cross;
+      chart_.mark(mark, hue, place_of(*run));
     }
   }
 
@@ -139,7 +139,9 @@ void draw_key(Chart& chart) {
   chart.mark(Mark::ring, Hue::machine, {x + 129, 36});
   chart.text({x + 138, 40}, "start", "return mapping", "small");
   chart.mark(Mark::cross, Hue::machine, {x + 244, 36});
-  chart.text({x + 253, 40}, "start", "creeps, blew up or halted", "small");
+  chart.text({x + 253, 40}, "start", "blew up or halted", "small");
+  chart.mark(Mark::diamond, Hue::machine, {x + 364, 36});
+  chart.text({x + 373, 40}, "start", "creeps", "small");
 }
 
 std::vector<double> stiffnesses_of(const std::vector<TrajectoryRun>& runs) {

@@ -30,7 +30,7 @@ bool is_shown(const TierResult& result) { return result.omitted.empty(); }
 // Both panels of a figure share their scales.
 struct Scales {
   int first_ns = 1, last_ns = 2;  // powers of ten
-  int first_ulp = -1, last_ulp = 1;
+  int first_ulp = -2, last_ulp = 1;
 
   explicit Scales(const std::vector<const Study*>& studies) {
     double least = 1e300, most = 0, worst = 10;
@@ -85,7 +85,7 @@ class Panel {
     return top + wrong_height * (1 - up);
   }
   double y_of_ulps(double ulps) const {
-    const double up = (std::log10(std::clamp(ulps, 0.1, 1e20)) - scales_.first_ulp) /
+    const double up = (std::log10(std::clamp(ulps, 0.01, 1e20)) - scales_.first_ulp) /
                       (scales_.last_ulp - scales_.first_ulp);
     return top + wrong_height + gap + right_height * (1 - up);
   }
@@ -115,7 +115,9 @@ class Panel {
     chart_.frame(left, top, inner_width, wrong_height);
     chart_.frame(left, top + wrong_height + gap, inner_width, right_height);
     chart_.occupy(left, top + wrong_height, inner_width, gap);
-    chart_.turned_text({left_ + 12, top + wrong_height / 2}, "answered wrong");
+    chart_.occupy(left_, base, inner_left + inner_width, bottom);
+    chart_.occupy(left_, top - 22, inner_left + inner_width, 20);
+    chart_.turned_text({left_ + 12, top + wrong_height / 2}, "share not right");
     chart_.turned_text({left_ + 12, top + wrong_height + gap + right_height / 2}, "worst error, ulp");
     chart_.text({left + inner_width / 2, base + 34}, "middle", "time per ask", "small");
     chart_.text({left, top - 10}, "start",

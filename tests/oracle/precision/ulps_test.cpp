@@ -28,7 +28,7 @@ TEST(ErrorInUlps, KnowsZeroSubnormalsAndNoNumbers) {
   EXPECT_EQ(error_in_ulps(0, "0"), 0);
   EXPECT_EQ(error_in_ulps(0x1p-1074, "0"), 1);
   EXPECT_EQ(error_in_ulps(0x1p-1073, "0"), 2);
-  EXPECT_EQ(error_in_ulps(1, "0"), 0x1p1023 + (0x1p1023 - 0x1p970)) << "2^1074 is beyond the doubles";
+  EXPECT_EQ(error_in_ulps(1, "0"), std::numeric_limits<double>::max()) << "2^1074 is beyond";
   EXPECT_EQ(error_in_ulps(NAN, "1"), std::numeric_limits<double>::max());
   EXPECT_EQ(error_in_ulps(INFINITY, "1"), std::numeric_limits<double>::max());
 }
