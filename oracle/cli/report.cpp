@@ -45,7 +45,7 @@ constexpr double slope = 0.05;  // of the stability maps
 
 Amount amount_of(const Options& options) {
   if (options.extent == Extent::quick)
-    return {300, {0.03, 0.005, 5}, {"ramp", "town"}, 500, {{1, 16}, 5}, stability::coarse_grid(slope)};
+    return {300, {0.03, 0.003, 5}, {"ramp", "town"}, 500, {{1, 16}, 5}, stability::coarse_grid(slope)};
   return {3000, {0.3, 0.03, 9}, {}, 5000, {{1, 16, 256}, 7}, stability::fine_grid(slope)};
 }
 

@@ -134,7 +134,7 @@ void take_times(std::vector<Timed>& timed, const Effort& effort, std::vector<Tie
   for (int round = 0; round < effort.rounds; ++round)
     for (Timed& one : timed) {
       const std::size_t asks = results[one.place].timed_asks;
-      if (one.repetitions > 1) one.tier.time(asks);  // fills the caches
+      one.tier.time(asks);  // fills the caches
       double seconds = 0;
       for (std::size_t i = 0; i < one.repetitions; ++i) seconds += one.tier.time(asks);
       one.nanoseconds.push_back(1e9 * seconds / static_cast<double>(asks * one.repetitions));
@@ -170,8 +170,11 @@ std::vector<TierResult> measure(const Sample& sample, const Effort& effort) {
     const double seconds = find_errors(one.tier, sample, effort, result);
     const double affordable = effort.seconds_of_a_round / std::max(seconds, 1e-9);
     result.timed_asks = std::min(result.asks, std::max(fewest_asks, static_cast<std::size_t>(affordable)));
-    one.repetitions = std::max<std::size_t>(
-        1, static_cast<std::size_t>(affordable / 4 / static_cast<double>(result.timed_asks)));
+    // The first asks of all came to cold caches: whoever is quick is quicker than that.
+    const double once =
+        affordable > fewest_asks ? one.tier.time(result.timed_asks) : effort.seconds_of_a_round;
+    one.repetitions =
+        std::max<std::size_t>(1, static_cast<std::size_t>(effort.seconds_of_a_round / 2 / once));
     timed.push_back(std::move(one));
   }
   take_times(timed, effort, results);

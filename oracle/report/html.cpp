@@ -84,7 +84,7 @@ pre { font: .8rem/1.4 ui-monospace, monospace; background: var(--card); border: 
 caption { text-align: left; color: var(--soft); padding: .2rem 0 } th, td { padding: .22rem .55rem;
   border-bottom: 1px solid var(--line); text-align: right; vertical-align: top; white-space: nowrap }
 th { font-weight: 600; border-bottom-width: 2px; white-space: normal; vertical-align: bottom }
-.words { text-align: left } td.words { white-space: normal } tr.best td { background: var(--row) }
+.words { text-align: left } td.words { white-space: normal } td code { white-space: nowrap } tr.best td { background: var(--row) }
 .bad { color: var(--bad); font-weight: 600 } .good { color: var(--good); font-weight: 600 }
 details { margin: .5rem 0 1rem } summary { cursor: pointer; color: var(--accent) }
 .facts { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; font-size: .88rem;

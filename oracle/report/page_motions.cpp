@@ -52,7 +52,7 @@ std::string stability_section(const Measured& measured) {
   html += fmt::format(
       "<figcaption>Parked machines on a slope of {:g} %, {} steps each: what became of them, over how stiff "
       "they are "
-      "in steps (right) and how damped (up). The black line is where theory ends explicit integrators. {}"
+      "in steps (right) and how damped (up). The stepped line is where theory ends explicit integrators. {}"
       "</figcaption></figure>\n",
       100 * measured.grid.slope, measured.grid.steps, escaped(provenance_of(measured)));
   return html;

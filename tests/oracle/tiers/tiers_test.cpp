@@ -5,6 +5,7 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <groundtruth/cases/ask_source.hpp>
 #include <groundtruth/cases/builtin_scenes.hpp>
@@ -93,6 +94,39 @@ TEST(IntervalTier, IsNeverCertainOfWhatIsWrong) {
   EXPECT_EQ(agreement.kinds_differ, 0U);
   EXPECT_GT(agreement.undecided, 0U);
   EXPECT_LT(agreement.undecided, agreement.asked / 2);
+}
+
+// One plane in general position, its offset within the bound of the error for lambda: each rounding of
+// Delta(x_1) and Delta(x_2) is at most 2^-p of the largest product, and w = Delta(x_1) - Delta(x_2) divides.
+struct Precision {
+  const char* tier;
+  int bits;
+};
+
+RC_GTEST_PROP(PlainTiers, AreWithinTheErrorThatTheirPrecisionAllows, ()) {
+  const Precision precision =
+      *rc::gen::element(Precision{"float", 24}, Precision{"double", 53}, Precision{"long-double", 64},
+                        Precision{"double-double", 100}, Precision{"cpp_bin_float_50", 168},
+                        Precision{"mpfr-128", 128}, Precision{"mpfr-256", 257}, Precision{"cgal-lazy", 300});
+  cases::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto coordinates = [&] {
+    return Vector{random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-8, 8)};
+  };
+  const HalfSpace plane{coordinates(), random.uniform(-8, 8)};
+  const EntryAsk ask{coordinates(), coordinates()};
+  const auto distance = [&](const Vector& x) {
+    return plane.normal[0] * x[0] + plane.normal[1] * x[1] + plane.normal[2] * x[2] - plane.offset;
+  };
+  const double start = distance(ask.from), end = distance(ask.to);
+  RC_PRE(start > 1 && end < -1);
+  const Scene scene{{}, {plane}};
+  const auto lambda = [&](const std::string& name) {
+    const Answer answer = std::get<Answer>(tier(name).on(scene)->answer(ask));
+    return std::get<Border>(std::get<EntryAnswer>(answer)).lambda;
+  };
+  constexpr double largest = 3 * 8 * 24 + 8, roundings = 24;
+  const double bound = roundings * std::ldexp(largest, -precision.bits) / (start - end) + 0x1p-52;
+  RC_ASSERT(std::abs(lambda(precision.tier) - lambda("exact")) <= bound);
 }
 
 TEST(ATableOfTiers, HasARowForEachAndSaysWhatIsOmitted) {
