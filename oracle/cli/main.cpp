@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
       groundtruth::cli::add_check(program),
       groundtruth::cli::add_judge(program),
       groundtruth::cli::add_merge(program),
+      groundtruth::cli::add_report(program),
       groundtruth::cli::add_scene(program),
       groundtruth::cli::add_simulate(program),
       groundtruth::cli::add_stability(program),

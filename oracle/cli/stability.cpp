@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -26,17 +25,9 @@ struct Options {
   std::string csv, svg;  // files; empty: none
 };
 
-std::vector<double> powers_of_ten(double first, double last, int per_decade) {
-  std::vector<double> values;
-  const int count = static_cast<int>(std::lround((last - first) * per_decade));
-  for (int i = 0; i <= count; ++i)
-    values.push_back(std::pow(10, first + static_cast<double>(i) / per_decade));
-  return values;
-}
-
 stability::Grid grid_of(const Options& options) {
-  if (options.extent == Extent::quick) return {powers_of_ten(-2, 5, 2), {0, 0.3, 1}, options.slope, 400};
-  return {powers_of_ten(-2, 5, 4), {0, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2}, options.slope, 3000};
+  return options.extent == Extent::quick ? stability::coarse_grid(options.slope)
+                                         : stability::fine_grid(options.slope);
 }
 
 void write(const std::string& path, const std::string& text) {

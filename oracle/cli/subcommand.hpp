@@ -28,6 +28,7 @@ Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_judge(CLI::App& program);
 Subcommand add_merge(CLI::App& program);
+Subcommand add_report(CLI::App& program);
 Subcommand add_scene(CLI::App& program);
 Subcommand add_simulate(CLI::App& program);
 Subcommand add_stability(CLI::App& program);

@@ -2,9 +2,11 @@
 // What the engine `fast` makes of a scene before it is asked anything.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include <groundtruth/implementations/engine.hpp>
 #include <groundtruth/problem/scene.hpp>
 
 namespace groundtruth::implementations {
@@ -24,5 +26,11 @@ struct Compilation {
 };
 
 Compilation compilation_of(const Scene& scene);
+
+// What may be left out at all, by the names of LeftOut::what.
+std::vector<std::string> simplification_names();
+
+// The engine `fast` on a scene that is compiled without these. None changes an answer.
+std::unique_ptr<const EngineOnScene> fast_without(const Scene& scene, const std::vector<std::string>& names);
 
 }  // namespace groundtruth::implementations

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 
 #include <groundtruth/fast/clip.hpp>
@@ -11,7 +12,8 @@ namespace {
 
 class FastOnScene : public EngineOnScene {
  public:
-  explicit FastOnScene(const Scene& scene) : scene_(fast::compile(scene)) {}
+  explicit FastOnScene(const Scene& scene, const fast::CompileOptions& options = {})
+      : scene_(fast::compile(scene, options)) {}
 
   Answered answer(const Ask& ask) const override {
     return {std::visit([this](const auto& kind) { return ask_fast(kind); }, ask), {}};
@@ -49,6 +51,22 @@ Compilation compilation_of(const Scene& scene) {
   for (const fast::LeftOut& one : compiled.left_out())
     compilation.left_out.push_back({std::string(name_of(one.what)), one.count, one.why});
   return compilation;
+}
+
+std::vector<std::string> simplification_names() {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < fast::number_of_simplifications; ++i)
+    names.emplace_back(name_of(static_cast<fast::Simplification>(i)));
+  return names;
+}
+
+std::unique_ptr<const EngineOnScene> fast_without(const Scene& scene, const std::vector<std::string>& names) {
+  const std::vector<std::string> known = simplification_names();
+  fast::CompileOptions options;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (std::find(names.begin(), names.end(), known[i]) != names.end())
+      options.leave_off(static_cast<fast::Simplification>(i));
+  return std::make_unique<FastOnScene>(scene, options);
 }
 
 }  // namespace groundtruth::implementations

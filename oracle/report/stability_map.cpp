@@ -52,7 +52,7 @@ void label_axes(const Grid& grid, const Panel& panel, Svg& svg) {
   for (double power = std::ceil(std::log10(grid.h_omegas.front()) - 1e-9);
        power <= std::log10(grid.h_omegas.back()) + 1e-9; ++power) {
     const double x = panel.x_of_value(std::pow(10, power));
-    svg.polyline({{x, below}, {x, below + 4}}, "black");
+    svg.polyline({{x, below}, {x, below + 4}});
     svg.text(x, below + 17, Anchor::middle, fmt::format("{:g}", std::pow(10, power)));
   }
   svg.text(panel.left() + panel_width / 2, below + 31, Anchor::middle, "h omega");
@@ -68,7 +68,20 @@ void draw_limit(const Grid& grid, const Panel& panel, stability::Wheels wheels, 
     line.emplace_back(x, panel.y_of(row) + panel.height());
     line.emplace_back(x, panel.y_of(row));
   }
-  svg.polyline(line, "black");
+  svg.polyline(line);
+}
+
+// Neighbours of one fate are one rectangle.
+void draw_row(const std::vector<Cell>& cells, std::size_t first, std::size_t columns, std::size_t row,
+              const Panel& panel, Svg& svg) {
+  std::size_t from = 0;
+  for (std::size_t to = 1; to <= columns; ++to) {
+    const Fate fate = cells[first + from].fate;
+    if (to < columns && cells[first + to].fate == fate) continue;
+    svg.rectangle(panel.x_of(from), panel.y_of(row), panel.x_of(to) - panel.x_of(from), panel.height() - 0.5,
+                  colours[static_cast<std::size_t>(fate)]);
+    from = to;
+  }
 }
 
 void draw_legend(Svg& svg) {
@@ -78,7 +91,7 @@ void draw_legend(Svg& svg) {
     svg.text(x + 20, 44, Anchor::start, std::string(stability::name_of(static_cast<Fate>(i))));
     x += 130;
   }
-  svg.polyline({{x, 39}, {x + 24, 39}}, "black");
+  svg.polyline({{x, 39}, {x + 24, 39}});
   svg.text(x + 30, 44, Anchor::start, "2 (sqrt(1 + zeta^2) - zeta) of the fastest mode");
 }
 
@@ -86,16 +99,16 @@ void draw_legend(Svg& svg) {
 
 std::string svg_of(const Grid& grid, const std::vector<Cell>& cells) {
   const std::size_t columns = grid.h_omegas.size(), rows = grid.damping_ratios.size();
-  Svg svg(2 * margin + 3 * panel_width + 2 * gap_x, top + 4 * (panel_height + gap_y));
+  Svg svg(2 * margin + 3 * panel_width + 2 * gap_x, top + 4 * (panel_height + gap_y),
+          "Maps of what became of parked machines: the numbers are those of groundtruth stability --csv");
   svg.text(margin, 20, Anchor::start,
            fmt::format("Parked on a slope of {:g} %: damping ratio (up) over h omega", 100 * grid.slope));
   draw_legend(svg);
   for (std::size_t number = 0; number * columns * rows < cells.size(); ++number) {
     const Panel panel(grid, number);
     const std::size_t first = number * columns * rows;
-    for (std::size_t i = 0; i < columns * rows; ++i)
-      svg.rectangle(panel.x_of(i % columns), panel.y_of(i / columns), panel.width() - 0.5,
-                    panel.height() - 0.5, colours[static_cast<std::size_t>(cells[first + i].fate)]);
+    for (std::size_t row = 0; row < rows; ++row)
+      draw_row(cells, first + row * columns, columns, row, panel, svg);
     const stability::Parked& parked = cells[first].parked;
     svg.text(panel.left(), panel.upper() - 8, Anchor::start, panel_name(parked));
     label_axes(grid, panel, svg);

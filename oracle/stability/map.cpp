@@ -64,7 +64,21 @@ std::vector<Parked> cases_of(const Grid& grid) {
   return cases;
 }
 
+std::vector<double> powers_of_ten(double first, double last, int per_decade) {
+  std::vector<double> values;
+  const int count = static_cast<int>(std::lround((last - first) * per_decade));
+  for (int i = 0; i <= count; ++i)
+    values.push_back(std::pow(10, first + static_cast<double>(i) / per_decade));
+  return values;
+}
+
 }  // namespace
+
+Grid fine_grid(double slope) {
+  return {powers_of_ten(-2, 5, 4), {0, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2}, slope, 3000};
+}
+
+Grid coarse_grid(double slope) { return {powers_of_ten(-2, 5, 2), {0, 0.3, 1}, slope, 400}; }
 
 std::string_view name_of(Fate fate) {
   constexpr std::array<std::string_view, 6> names{"settled",    "swinging", "creeping",

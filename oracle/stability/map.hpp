@@ -38,6 +38,10 @@ struct Grid {
   std::uint64_t steps = 4000;  // of each machine
 };
 
+// From h omega 0.01 to 10^5: for figures, and coarse for seconds.
+Grid fine_grid(double slope);
+Grid coarse_grid(double slope);
+
 Cell cell_of(const Parked& parked, std::uint64_t steps);
 
 // Every combination, with one and three wheels, all integrators, both relocations: h omega varies fastest,

@@ -20,14 +20,16 @@ ALLOWED = {
     "oracle/judge": {"problem", "text", "implementations"},
     "oracle/implementations": {"problem", "text"},
     "oracle/proved": set(),  # OCaml
+    "oracle/tiers": {"problem", "implementations"},
+    "oracle/precision": {"problem", "text", "cases", "judge", "implementations", "tiers", "rig"},
     "oracle/campaign": {"problem", "judge", "cases", "implementations"},
     "oracle/validation": {"diagnosis", "problem", "text", "judge", "cases", "implementations"},
-    "oracle/report": {"rig", "stability", "validation", "campaign", "cases", "diagnosis", "implementations", "judge",
+    "oracle/report": {"precision", "tiers", "rig", "stability", "validation", "campaign", "cases", "diagnosis", "implementations", "judge",
                       "problem", "text"},
     "oracle/rig": {"problem", "implementations", "text"},
     "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
-    "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
+    "oracle/cli": {"precision", "problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
                    "stability"},
 }
 TOP_LEVEL = {
@@ -36,9 +38,10 @@ TOP_LEVEL = {
 }
 # Libraries by the start of the include, and the folders that may use them.
 LIBRARIES = {
-    "CGAL/": {"reference/exact"},
+    "CGAL/": {"reference/exact", "oracle/tiers"},
     "Eigen/": {"fast", "oracle/rig", "oracle/stability"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "oracle/tiers", "oracle/precision",
+               "fast"},
     # In oracle/implementations for its template only.
     "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
