@@ -14,15 +14,11 @@ int run(int argc, char** argv) {
   program.set_help_all_flag("--help-all", "Help for every subcommand");
   program.failure_message(CLI::FailureMessage::help);
   const Subcommand subcommands[] = {
-      groundtruth::cli::add_answer(program),
-      groundtruth::cli::add_check(program),
-      groundtruth::cli::add_judge(program),
-      groundtruth::cli::add_merge(program),
-      groundtruth::cli::add_scene(program),
-      groundtruth::cli::add_simulate(program),
-      groundtruth::cli::add_stability(program),
-      groundtruth::cli::add_validate(program),
-      groundtruth::cli::add_vectors(program),
+      groundtruth::cli::add_answer(program),   groundtruth::cli::add_check(program),
+      groundtruth::cli::add_explain(program),  groundtruth::cli::add_judge(program),
+      groundtruth::cli::add_merge(program),    groundtruth::cli::add_scene(program),
+      groundtruth::cli::add_simulate(program), groundtruth::cli::add_stability(program),
+      groundtruth::cli::add_validate(program), groundtruth::cli::add_vectors(program),
   };
   try {
     program.parse(argc, argv);

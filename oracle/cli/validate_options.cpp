@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "for_shell.hpp"
+
 namespace groundtruth::cli {
 namespace {
 
@@ -20,15 +22,6 @@ std::optional<Shard> shard_in(const std::string& text) {
   if (count.ec != std::errc{} || count.ptr != end) return std::nullopt;
   if (shard.index < 1 || shard.index > shard.count) return std::nullopt;
   return shard;
-}
-
-std::string for_shell(const std::string& word) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=+,@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
 }
 
 std::chrono::milliseconds milliseconds(double seconds) {

@@ -26,8 +26,10 @@ ALLOWED = {
     "oracle/rig": {"problem", "implementations", "text"},
     "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
+    "oracle/explanation": {"problem", "text", "cases", "judge", "implementations"},
+    "oracle/page": {"problem", "text", "cases", "explanation"},
     "oracle/cli": {"problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
-                   "stability"},
+                   "stability", "explanation", "page"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -37,11 +39,12 @@ TOP_LEVEL = {
 LIBRARIES = {
     "CGAL/": {"reference/exact"},
     "Eigen/": {"fast", "oracle/rig", "oracle/stability"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "fast"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "oracle/explanation", "fast"},
     # In oracle/implementations for its template only.
     "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation",
+             "oracle/explanation", "oracle/page"},
 }
 
 
