@@ -71,10 +71,6 @@ struct StepFacts {
   RationalVector force_after{};          // what is left of it, as answered
   std::optional<ClipFacts> clip;         // if it comes to that
   std::optional<EntryFacts> landing;     // of a free wheel: the strut against the ground
-};                                       // before; zero if free
-RationalVector force_in_wheel{};         // of the springs on the pebble, before it is clipped
-std::optional<ClipFacts> clip;           // if it comes to that
-std::optional<EntryFacts> landing;       // of a free wheel: the strut against the ground
 };
 
 using Facts = std::variant<EntryFacts, ClipFacts, StepFacts>;
