@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
@@ -87,6 +88,12 @@ Explanation explanation_of(const cases::Case& asked, implementations::Subject* s
   return explanation;
 }
 
+// A case of a file goes by the file's name, and by what it is called there.
+std::string heading_of(const cases::Case& asked) {
+  if (!asked.flags.empty()) return asked.id;
+  return std::filesystem::path(asked.id).filename().string() + (asked.note.empty() ? "" : ", " + asked.note);
+}
+
 Exit run(const Options& options) {
   if (options.implementation != !options.command.empty()) {
     fmt::print(stderr, "groundtruth explain: give an implementation as --implementation -- COMMAND\n");
@@ -96,12 +103,14 @@ Exit run(const Options& options) {
   const std::string replay = replay_command_of(options);
   std::vector<page::Section> sections;
   for (const cases::Case& asked : cases_for(options)) {
-    sections.push_back({explanation_of(asked, subject.get()), replay, "", {}});
+    sections.push_back({explanation_of(asked, subject.get()), replay, heading_of(asked), {}});
     if (options.html.empty())
       fmt::print("{}\n", page::text_page(sections.back().explanation, replay, colours()));
   }
   if (!options.html.empty())
-    write_text(options.html, page::html_page(sections, "Groundtruth explains " + options.asks));
+    write_text(options.html,
+               page::html_page(sections, "Groundtruth explains " +
+                                             std::filesystem::path(options.asks).filename().string()));
   return Exit::agrees;
 }
 

@@ -65,6 +65,7 @@ void add_options(CLI::App& command, ValidateOptions& options) {
   command.add_flag("--update-known", options.update_known, "Write the failures found to that file");
   command.add_option("--json", options.json, "File for JSON Lines, written as they are found; - is stdout");
   command.add_option("--junit", options.junit, "File for a report as JUnit writes them");
+  command.add_option("--html", options.html, "File for a page that explains each group of failures");
   command.add_option("--replay", options.replay, "Ask only this case, or those of this file");
 }
 

@@ -1,6 +1,7 @@
 #include <groundtruth/explanation/explanation.hpp>
 
 #include <groundtruth/implementations/engine.hpp>
+#include <groundtruth/implementations/errata.hpp>
 #include <groundtruth/judge/difference.hpp>
 #include <groundtruth/text/answer_text.hpp>
 

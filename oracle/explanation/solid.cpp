@@ -21,8 +21,12 @@ class Builder {
     return std::visit(
         Overloaded{[](const Everything&) { return Truth::yes; }, [](const Nothing&) { return Truth::no; },
                    [this](const HalfSpace& leaf) { return add_leaf(leaf); },
-                   [this](const Union& of) { return add_all({Part::united, 0, 0, 0, nullptr}, of.operands); },
-                   [this](const Intersection& of) { return add_all({Part::intersected, 0, 0, 0, nullptr}, of.operands); },
+                   [this](const Union& of) {
+                     return add_all({Part::united, 0, 0, 0, nullptr}, of.operands);
+                   },
+                   [this](const Intersection& of) {
+                     return add_all({Part::intersected, 0, 0, 0, nullptr}, of.operands);
+                   },
                    [this](const Covered& of) {
                      return add_coat({Part::covered, 0, 0, of.material, nullptr}, *of.over);
                    },

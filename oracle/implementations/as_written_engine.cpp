@@ -3,6 +3,7 @@
 #include <groundtruth/as_written/errata.hpp>
 #include <groundtruth/as_written/step.hpp>
 #include <groundtruth/implementations/adapters.hpp>
+#include <groundtruth/implementations/errata.hpp>
 
 namespace groundtruth::implementations {
 namespace {

@@ -38,7 +38,4 @@ std::unique_ptr<const Engine> make_engine(std::string_view name, unsigned digits
 // "exact", "definition", "fast", "double", "as-written".
 std::vector<std::string> engine_names();
 
-// Each error of SPEC section 7 that an engine can make, by name.
-std::vector<std::string> erratum_names();
-
 }  // namespace groundtruth::implementations

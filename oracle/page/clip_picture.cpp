@@ -82,7 +82,7 @@ class ClipDrawing {
                        "case1");
       for (const int sy : {-1, 1}) picture_.polygon(wedge(sx, sy), "case2");
     }
-    label(b + 0.55 * (reach_ - b), 0, "case 1");
+    label(b + 0.55 * (reach_ - b), -0.5 * s, "case 1");
     label(b + 0.5 * (reach_ - b), std::min(s + 0.35 * (reach_ - b) * s / (b + 1e-300), 0.5 * (s + reach_)),
           "case 2");
   }

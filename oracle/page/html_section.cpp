@@ -57,7 +57,9 @@ class OfKind {
         "<h3>From {} to {}</h3>\n<div class=\"beside\"><figure>{}</figure>\n<figure>{}"
         "<ul class=\"legend\"><li><span class=\"swatch line-before\"></span>the springs' force on the "
         "pebble</li>"
-        "<li><span class=\"swatch line-after\"></span>what is left of it</li></ul></figure></div>\n",
+        "<li><span class=\"swatch line-after\"></span>what is left of it</li>"
+        "<li><span class=\"swatch dot\"></span>pebble before</li>"
+        "<li><span class=\"swatch ring-after\"></span>pebble after</li></ul></figure></div>\n",
         facts.from, facts.to, machine_picture(facts), side_view(facts, wheel));
     html += html_of_questions(facts);
     if (facts.clip) html += html_of_clip(*facts.clip);
@@ -81,7 +83,7 @@ std::string html_of_opinions(const Explanation& explanation) {
     html += fmt::format("<tr class=\"{}\"><td>{}</td><td>{}</td><td><code>{}</code></td></tr>\n",
                         same ? "same" : "differs", escaped(opinion.who),
                         same ? "the same" : "differs in " + escaped(opinion.difference),
-                        same ? "" : escaped(opinion.line));
+                        same && opinion.who != "exact" ? "" : escaped(opinion.line));
   }
   return html + "</tbody></table></div>\n";
 }

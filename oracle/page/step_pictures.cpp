@@ -108,9 +108,9 @@ class SideView {
     picture_.rectangle({top.x - 40, top.y - 26}, 80, 20, "frame");
     picture_.text({top.x - 46, top.y - 12}, "end", "frame", "halo");
     picture_.line(pixel(0, 0), pixel(0, wheel_.z_max), "strut");
-    tick(wheel_.z_min, "z_min: broken from here up", 0);
-    tick(wheel_.z_zero, wheel_.z_zero == wheel_.z_max ? "z_zero = z_max: free from here down" : "z_zero", 0);
-    if (wheel_.z_zero != wheel_.z_max) tick(wheel_.z_max, "z_max: free from here down", 12);
+    tick(wheel_.z_min, "z_min: broken above", 0);
+    tick(wheel_.z_zero, wheel_.z_zero == wheel_.z_max ? "z_zero = z_max: free below" : "z_zero", 0);
+    if (wheel_.z_zero != wheel_.z_max) tick(wheel_.z_max, "z_max: free below", 12);
   }
   void tick(double z, const std::string& words, double shift) {
     const Dot at = pixel(0, z);
@@ -147,6 +147,11 @@ class SideView {
   double low_ = 0, high_ = 1, side_ = 0, scale_ = 1;
 };
 
+bool is_possible(std::string_view from, std::string_view to) {
+  if (from == "free" && (to == "slip" || to == "surface gave way")) return false;
+  return from != to;
+}
+
 }  // namespace
 
 std::string machine_picture(const StepFacts& facts) {
@@ -156,8 +161,7 @@ std::string machine_picture(const StepFacts& facts) {
   const Place& to = place_named(facts.to);
   for (const char* state : {"free", "stick", "slip"}) {
     for (const Place& other : places) {
-      const bool possible = std::string(state) != other.name &&
-                            !(std::string(state) == "free" && std::string(other.name) == "slip");
+      const bool possible = is_possible(state, other.name);
       if (possible) draw_way(picture, place_named(state), other, 6, "way");
     }
   }

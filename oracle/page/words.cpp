@@ -1,5 +1,8 @@
 #include "words.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <groundtruth/text/number_text.hpp>
@@ -84,10 +87,18 @@ std::string words_of_search(const EntryFacts& facts) {
     return fmt::format(
         "The search ended after {} changes; another decision may be nearer than those not named.",
         facts.search.tried);
-  if (facts.search.flips.size() == 2 || !facts.search.flips.empty()) return "";
-  return facts.reach ? fmt::format("No single plane moved by up to {} m changes the answer.",
-                                   write_decimal(*facts.reach))
-                     : "No change of a single plane changes the answer.";
+  const auto flips = [&](Flips what) {
+    return std::any_of(facts.search.flips.begin(), facts.search.flips.end(),
+                       [&](const Flip& flip) { return flip.what == what; });
+  };
+  const bool hits = facts.decision.lambda.has_value();
+  if (flips(Flips::hit_or_miss) && (flips(Flips::face) || !hits)) return "";
+  const std::string which =
+      facts.reach ? fmt::format("moved by up to {} m", write_decimal(*facts.reach)) : "moved";
+  return fmt::format("No single plane, {}, makes it {}.", which,
+                     !hits                       ? "a hit"
+                     : flips(Flips::hit_or_miss) ? "another face"
+                                                 : "a miss");
 }
 
 std::vector<Line> clip_lines(const ClipFacts& facts) {

@@ -10,7 +10,7 @@ import { launch, open, run, violations } from "./browser.mjs";
 const [program, folder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const ASKS = {
-  seam: "seam/across-it-from-the-rim",
+  seam: "seam/along-the-top",
   "face-plane": "grazing/top-plane",
   miss: "grazing/one-ulp-above",
   corner: "clip/case-2-corner",
@@ -138,6 +138,6 @@ test("the command can be copied", async () => {
   const { page, close } = await open(browser, pageOf("seam"), { permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator(".copy").click();
   await page.locator(".copy", { hasText: "copied" }).waitFor();
-  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "groundtruth explain seam/across-it-from-the-rim");
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "groundtruth explain seam/along-the-top");
   await close();
 });
