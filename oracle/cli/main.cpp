@@ -16,6 +16,7 @@ int run(int argc, char** argv) {
   const Subcommand subcommands[] = {
       groundtruth::cli::add_answer(program),
       groundtruth::cli::add_check(program),
+      groundtruth::cli::add_explain(program),
       groundtruth::cli::add_judge(program),
       groundtruth::cli::add_merge(program),
       groundtruth::cli::add_report(program),

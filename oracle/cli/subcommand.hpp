@@ -26,6 +26,7 @@ struct Subcommand {
 
 Subcommand add_answer(CLI::App& program);
 Subcommand add_check(CLI::App& program);
+Subcommand add_explain(CLI::App& program);
 Subcommand add_judge(CLI::App& program);
 Subcommand add_merge(CLI::App& program);
 Subcommand add_report(CLI::App& program);

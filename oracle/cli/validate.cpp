@@ -11,6 +11,7 @@
 #include <groundtruth/validation/log.hpp>
 #include <groundtruth/validation/replay.hpp>
 
+#include "failure_pages.hpp"
 #include "interrupt.hpp"
 #include "progress_bar.hpp"
 #include "subcommand.hpp"
@@ -66,6 +67,7 @@ class Validation {
     const std::optional<Causes> causes = look_for_causes(result, json);
     json.write(write_summary({result.tally, std::string(in_words(result.ending)), result.seconds}));
     if (!options_.junit.empty()) write_text(options_.junit, report::junit_of(result.tally, records_));
+    if (!options_.html.empty()) explain(result, causes);
     return conclude(result, causes);
   }
 
@@ -75,9 +77,12 @@ class Validation {
             in_words(options_.tolerance)};
   }
 
+  std::string name_of_subject() const {
+    return subject_name_.empty() ? "an implementation without a name" : subject_name_;
+  }
+
   void introduce() const {
-    fmt::print(out_, "{}; seed {}",
-               subject_name_.empty() ? "an implementation without a name" : subject_name_, options_.seed);
+    fmt::print(out_, "{}; seed {}", name_of_subject(), options_.seed);
     if (selection_.shard.count > 1) fmt::print(out_, "; shard {}", options_.shard);
     fmt::print(out_, "\n{}\n", cli::in_words(options_.tolerance));
     std::fflush(out_);
@@ -151,6 +156,17 @@ class Validation {
     return std::any_of(records_.begin(), records_.end(), [&](const Record& record) {
       return record.id == id && record.expectation == Expectation::known;
     });
+  }
+
+  void explain(const Result& result, const std::optional<Causes>& causes) const {
+    std::vector<Failure> news;
+    for (const Failure& failure : result.failures)
+      if (!is_known(failure.asked.id)) news.push_back(failure);
+    if (news.empty()) return;
+    const auto sections =
+        sections_of(causes, news, [this](const std::string& id) { return replay_command_of(options_, id); });
+    write_text(options_.html, page::html_page(sections, "Where " + name_of_subject() + " differs"));
+    fmt::print(out_, "{}", places_of(sections, options_.html));
   }
 
   Exit conclude(const Result& result, const std::optional<Causes>& causes) const {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "for_shell.hpp"
+
 namespace groundtruth::cli {
 namespace {
 
@@ -20,15 +22,6 @@ std::optional<Shard> shard_in(const std::string& text) {
   if (count.ec != std::errc{} || count.ptr != end) return std::nullopt;
   if (shard.index < 1 || shard.index > shard.count) return std::nullopt;
   return shard;
-}
-
-std::string for_shell(const std::string& word) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=+,@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
 }
 
 std::chrono::milliseconds milliseconds(double seconds) {
@@ -72,6 +65,7 @@ void add_options(CLI::App& command, ValidateOptions& options) {
   command.add_flag("--update-known", options.update_known, "Write the failures found to that file");
   command.add_option("--json", options.json, "File for JSON Lines, written as they are found; - is stdout");
   command.add_option("--junit", options.junit, "File for a report as JUnit writes them");
+  command.add_option("--html", options.html, "File for a page that explains each group of failures");
   command.add_option("--replay", options.replay, "Ask only this case, or those of this file");
 }
 

@@ -35,6 +35,7 @@ struct ValidateOptions {
   bool update_known = false;
   std::string json;
   std::string junit;
+  std::string html;
   std::string replay;
 };
 

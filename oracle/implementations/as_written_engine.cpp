@@ -1,7 +1,9 @@
 #include <groundtruth/as_written/clip.hpp>
 #include <groundtruth/as_written/entry_point.hpp>
+#include <groundtruth/as_written/errata.hpp>
 #include <groundtruth/as_written/step.hpp>
 #include <groundtruth/implementations/adapters.hpp>
+#include <groundtruth/implementations/errata.hpp>
 
 namespace groundtruth::implementations {
 namespace {
@@ -57,6 +59,13 @@ std::unique_ptr<const Engine> make_as_written_engine(std::string_view names) {
     if (more) rest.remove_prefix(comma + 1);
   }
   return std::make_unique<AsWrittenEngine>("as-written:" + std::string(names), errata);
+}
+
+std::vector<std::string> erratum_names() {
+  std::vector<std::string> names;
+  for (const as_written::Erratum erratum : as_written::errata_in_order())
+    names.emplace_back(as_written::name_of(erratum));
+  return names;
 }
 
 }  // namespace groundtruth::implementations

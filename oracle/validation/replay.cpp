@@ -31,7 +31,7 @@ class AskFile {
     const auto* ask = std::get_if<AskLine>(&line);
     if (ask == nullptr) return std::nullopt;
     const std::string id = file_ + ":" + std::to_string(origin.first_line);
-    return cases::Case{id, scene_, ask->ask, {}, {}};
+    return cases::Case{id, scene_, ask->ask, {}, "id " + ask->id};
   }
 
  private:

@@ -29,8 +29,10 @@ ALLOWED = {
     "oracle/rig": {"problem", "implementations", "text"},
     "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
+    "oracle/explanation": {"problem", "text", "cases", "judge", "implementations"},
+    "oracle/page": {"problem", "text", "cases", "explanation"},
     "oracle/cli": {"precision", "problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
-                   "stability"},
+                   "stability", "explanation", "page"},
 }
 TOP_LEVEL = {
     "CMakeLists.txt", "reference", "fast", "oracle", "tests", "proofs-notes", "README.md",
@@ -40,12 +42,13 @@ TOP_LEVEL = {
 LIBRARIES = {
     "CGAL/": {"reference/exact", "oracle/tiers"},
     "Eigen/": {"fast", "oracle/rig", "oracle/stability"},
-    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "oracle/tiers", "oracle/precision",
-               "fast"},
+    "boost/": {"reference/exact", "oracle/definition", "oracle/cases", "oracle/judge", "oracle/explanation", "oracle/tiers",
+               "oracle/precision", "fast"},
     # In oracle/implementations for its template only.
     "rapidjson/": {"reference/text", "oracle/report", "oracle/validation", "oracle/implementations"},
     "CLI/": {"oracle/cli"},
-    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation"},
+    "fmt/": {"oracle/cli", "oracle/judge", "oracle/report", "oracle/validation",
+             "oracle/explanation", "oracle/page"},
 }
 
 
