@@ -122,6 +122,20 @@ class Validate(unittest.TestCase):
             failed += int(suite.get("failures"))
         self.assertEqual(failed, len(ids(self.file("x"))))
 
+    def test_a_page_explains_each_group_and_is_linked(self):
+        page = self.file("x.html")
+        for more in ((), ("--shrink", "0")):
+            done = validate("--cases", "300", "--html", page, *more, "--engine", "as-written")
+            text = pathlib.Path(page).read_text()
+            sections = text.count('<section class="case"')
+            self.assertGreater(sections, 1)
+            self.assertEqual(sum(line.startswith(f"  {page}#case=") for line in done.stdout.splitlines()), sections)
+            self.assertEqual(text.count("<td>yours</td>"), sections)
+
+    def test_no_failure_no_page(self):
+        validate("--cases", "50", "--html", self.file("x.html"), "--engine", "exact")
+        self.assertFalse(pathlib.Path(self.file("x.html")).exists())
+
     def test_only_asks_what_it_is_told_to(self):
         done = validate(*CASES, "--only", "clip,step", "--json", self.file("x"), "--engine", "double")
         self.assertEqual({record["kind"] for record in records(self.file("x"))}, {"clip", "step"})

@@ -33,9 +33,13 @@ TEST(ExplainedEntry, AgreesWithTheExactEngineOnDegenerateAndNestedScenes) {
 TEST(ExplainedEntry, LightsTheSolidFirstWhereItIsEntered) {
   const Explanation seam = explained("seam/across-it-from-the-rim");
   for (const Stop& stop : entry_in(seam).stops) {
-    const bool before = stop.to < *entry_in(seam).decision.lambda;
-    if (before) EXPECT_FALSE(stop.lit.front());
-    if (stop.is_breakpoint() && stop.from == *entry_in(seam).decision.lambda) EXPECT_TRUE(stop.lit.front());
+    const Rational& lambda = *entry_in(seam).decision.lambda;
+    if (stop.from < lambda) {
+      EXPECT_FALSE(stop.lit.front());
+    }
+    if (stop.is_breakpoint() && stop.from == lambda) {
+      EXPECT_TRUE(stop.lit.front());
+    }
   }
 }
 

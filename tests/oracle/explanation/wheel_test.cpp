@@ -30,8 +30,8 @@ TEST(ExplainedClip, FindsTheCaseOfTheExactAnswer) {
     const Answer exact = exact_answer(one);
     const auto& answer = std::get<ClipAnswer>(exact);
     EXPECT_EQ(found == ClipCase::too_steep, std::holds_alternative<TooSteep>(answer)) << one.id;
-    if (const auto* clipped = std::get_if<Clipped>(&answer))
-      EXPECT_EQ(found == ClipCase::stick, clipped->grip == Grip::stick) << one.id;
+    const auto* clipped = std::get_if<Clipped>(&answer);
+    EXPECT_EQ(found == ClipCase::stick, clipped != nullptr && clipped->grip == Grip::stick) << one.id;
   }
   EXPECT_GT(clips, 300U);
 }

@@ -127,6 +127,17 @@ test("a recorded chain is gone through by its links", async () => {
   await close();
 });
 
+test("a validation's page shows their answer beside the exact one", async () => {
+  const file = join(folder, "validation.html");
+  try { run(program, "validate", "--cases", "300", "--html", file, "--engine", "as-written"); } catch { /* it exits with 1 */ }
+  const { page, complaints, close } = await open(browser, file, { hash: "#case=2" });
+  assert.ok(await page.locator(".shown .opinions tr:first-child td:first-child", { hasText: "yours" }).isVisible());
+  await page.screenshot({ path: join(folder, "validation.png"), fullPage: true });
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("without its script the page shows all it knows", async () => {
   const { page, close } = await open(browser, pageOf("lift"), { javaScriptEnabled: false });
   const sections = page.locator("section.case");
