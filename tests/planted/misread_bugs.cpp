@@ -64,12 +64,6 @@ Scene intersections_up_to(Scene scene) {
   return scene;
 }
 
-EntryAnswer leaf_in_two_bytes(const EntryAsk& ask, const Right& right) {
-  EntryAnswer answer = right.entry(ask);
-  if (auto* border = std::get_if<Border>(&answer)) border->leaf %= 65536;
-  return answer;
-}
-
 template <Friction (*change)(Friction)>
 Scene with_frictions(Scene scene) {
   for (Material& material : scene.materials) {
@@ -131,13 +125,10 @@ std::vector<Bug> misread_bugs() {
        reads(with_regions<first_of_each>)},
       {"unions-up-to-32", entry, special, "the operands of a union after the 32nd are lost",
        reads(unions_up_to<32>)},
-      {"unions-up-to-1000", entry, extreme, "the operands of a union after the 1,000th are lost",
-       reads(unions_up_to<1000>)},
       {"intersections-up-to-16", entry, special, "the operands of an intersection after the 16th are lost",
        reads(intersections_up_to<16>)},
       {"intersections-up-to-32", entry, extreme, "the operands of an intersection after the 32nd are lost",
        reads(intersections_up_to<32>)},
-      {"leaf-in-two-bytes", entry, extreme, "leaf numbers wrap at 65,536", answers(leaf_in_two_bytes)},
       {"dynamic-below-static", step, special, "dynamic friction above static is cut to it",
        reads(with_frictions<dynamic_below_static>)},
       {"scene-friction-up-to-one", step, special, "coefficients of a scene above 1 are cut to 1",
