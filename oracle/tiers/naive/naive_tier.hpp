@@ -21,7 +21,7 @@ class NaiveOnScene : public TierOnScene {
 
   TierAnswer answer(const Ask& ask) const override {
     try {
-      return std::visit([this](const auto& kind) { return Answer(answer_to(kind)); }, ask);
+      return std::visit([this](const auto& kind) { return Answer(this->answer_to(kind)); }, ask);
     } catch (const BoundsOverlap&) {
       return Undecided{};
     }

@@ -80,7 +80,7 @@ class Layer {
   explicit Layer(Ground<Real>& ground) : ground_(ground) {}
 
   void lay(const Shape& shape) {
-    std::visit([this](const auto& expression) { lay(expression); }, shape.expression);
+    std::visit([this](const auto& expression) { this->lay(expression); }, shape.expression);
   }
 
  private:
