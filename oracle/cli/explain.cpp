@@ -88,6 +88,11 @@ Explanation explanation_of(const cases::Case& asked, implementations::Subject* s
   return explanation;
 }
 
+// Of a file without its folders; of a case of the corpus all of it.
+std::string short_name_of(const std::string& asks) {
+  return std::filesystem::exists(asks) ? std::filesystem::path(asks).filename().string() : asks;
+}
+
 // A case of a file goes by the file's name, and by what it is called there.
 std::string heading_of(const cases::Case& asked) {
   if (!asked.flags.empty()) return asked.id;
@@ -109,8 +114,7 @@ Exit run(const Options& options) {
   }
   if (!options.html.empty())
     write_text(options.html,
-               page::html_page(sections, "Groundtruth explains " +
-                                             std::filesystem::path(options.asks).filename().string()));
+               page::html_page(sections, "Groundtruth explains " + short_name_of(options.asks)));
   return Exit::agrees;
 }
 

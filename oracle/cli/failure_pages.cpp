@@ -16,7 +16,7 @@ page::Section section_of(const Failure& failure, const std::string& heading,
   page::Section section{explanation::explain(failure.asked), replay_command, heading, {}};
   const std::string& what = explanation_of(failure.finding);
   section.explanation.opinions.insert(section.explanation.opinions.begin(),
-                                      {"yours", report::in_brief(failure.finding.reply.text),
+                                      {"yours", report::in_brief(record_of(failure).got),
                                        what.empty() ? std::string(name_of(failure.finding.outcome)) : what});
   section.remarks.push_back("Yours: " + what);
   return section;
