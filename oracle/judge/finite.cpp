@@ -1,4 +1,4 @@
-#include "finite.hpp"
+#include <groundtruth/judge/finite.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct IsFinite {
   bool operator()(const Contact& contact) const {
     return (*this)(contact.pebble_in_world) && (*this)(contact.pebble_velocity_in_world) &&
            (*this)(contact.normal_in_world) && std::isfinite(contact.static_friction) &&
-           std::isfinite(contact.dynamic_friction);
+           std::isfinite(contact.dynamic_friction) && std::isfinite(contact.maximum_force.value_or(0));
   }
   template <typename... Kinds>
   bool operator()(const std::variant<Kinds...>& answer) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Private to this folder.
+// What the text of an answer cannot say (SPEC section 8), an answer in this process can.
 
 #include <groundtruth/problem/answer.hpp>
 

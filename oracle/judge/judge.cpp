@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "finite.hpp"
+#include <groundtruth/judge/finite.hpp>
+
 #include "weigh.hpp"
 #include "wording.hpp"
 

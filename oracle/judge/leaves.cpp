@@ -13,21 +13,6 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-std::size_t count(const Shape& shape) {
-  const auto of_all = [](const std::vector<Shape>& operands) {
-    std::size_t all = 0;
-    for (const Shape& operand : operands) all += count(operand);
-    return all;
-  };
-  return std::visit(Overloaded{[](const HalfSpace&) -> std::size_t { return 1; },
-                               [&](const Union& of) { return of_all(of.operands); },
-                               [&](const Intersection& of) { return of_all(of.operands); },
-                               [](const Covered& of) { return count(*of.over); },
-                               [](const Painted& of) { return count(*of.over); },
-                               [](const auto&) -> std::size_t { return 0; }},
-                    shape.expression);
-}
-
 void append_leaves(const Shape& shape, std::vector<HalfSpace>& leaves) {
   const auto each = [&](const std::vector<Shape>& operands) {
     for (const Shape& operand : operands) append_leaves(operand, leaves);
@@ -77,7 +62,7 @@ class Materials {
  private:
   void enter(const std::vector<Shape>& operands, Leaf leaf) {
     for (const Shape& operand : operands) {
-      const std::size_t leaves = count(operand);
+      const std::size_t leaves = leaf_count(operand);
       if (leaf < leaves) return walk(operand, leaf);
       leaf -= leaves;
     }
@@ -94,7 +79,7 @@ class Materials {
 // Puts the operand that holds the leaf first, itself reordered.
 void put_first(std::vector<Shape>& operands, Leaf leaf) {
   for (auto operand = operands.begin(); operand != operands.end(); ++operand) {
-    const std::size_t leaves = count(*operand);
+    const std::size_t leaves = leaf_count(*operand);
     if (leaf < leaves) {
       *operand = with_leaf_first(*operand, leaf);
       std::rotate(operands.begin(), operand, operand + 1);
@@ -105,6 +90,21 @@ void put_first(std::vector<Shape>& operands, Leaf leaf) {
 }
 
 }  // namespace
+
+std::size_t leaf_count(const Shape& shape) {
+  const auto of_all = [](const std::vector<Shape>& operands) {
+    std::size_t all = 0;
+    for (const Shape& operand : operands) all += leaf_count(operand);
+    return all;
+  };
+  return std::visit(Overloaded{[](const HalfSpace&) -> std::size_t { return 1; },
+                               [&](const Union& of) { return of_all(of.operands); },
+                               [&](const Intersection& of) { return of_all(of.operands); },
+                               [](const Covered& of) { return leaf_count(*of.over); },
+                               [](const Painted& of) { return leaf_count(*of.over); },
+                               [](const auto&) -> std::size_t { return 0; }},
+                    shape.expression);
+}
 
 std::vector<HalfSpace> leaves_of(const Shape& shape) {
   std::vector<HalfSpace> leaves;

@@ -12,6 +12,8 @@
 
 namespace groundtruth::judge {
 
+std::size_t leaf_count(const Shape& shape);
+
 // By leaf number.
 std::vector<HalfSpace> leaves_of(const Shape& shape);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "leaves.hpp"
+
 namespace groundtruth::judge {
 namespace {
 
@@ -25,33 +27,37 @@ class Standing {
  public:
   explicit Standing(const Vector& place) : place_(place) {}
 
-  // `meets`: whether what the shape is met with may hold the place.
-  void walk(const Shape& shape, bool meets) {
-    std::visit([&](const auto& expression) { walk(expression, meets); }, shape.expression);
+  // Requires that all that the shape is met with may hold the place.
+  void walk(const Shape& shape) {
+    std::visit([this](const auto& expression) { walk(expression); }, shape.expression);
   }
 
   std::vector<Leaf> found;
 
  private:
-  void walk(const HalfSpace& plane, bool meets) {
+  void walk(const HalfSpace& plane) {
     const Height height(plane, place_);
-    if (meets && std::fabs(height.over_plane) <= height.error) found.push_back(next_);
+    if (std::fabs(height.over_plane) <= height.error) found.push_back(next_);
     ++next_;
   }
-  void walk(const Union& of, bool meets) {
-    for (const Shape& operand : of.operands) walk(operand, meets);
+  void walk(const Union& of) {
+    for (const Shape& operand : of.operands) walk(operand);
   }
-  void walk(const Intersection& of, bool meets) {
+  void walk(const Intersection& of) {
     std::vector<bool> holds;
     for (const Shape& operand : of.operands) holds.push_back(may_hold(operand));
     const auto missing = std::count(holds.begin(), holds.end(), false);
-    for (std::size_t i = 0; i < holds.size(); ++i)
-      walk(of.operands[i], meets && missing == (holds[i] ? 0 : 1));
+    for (std::size_t i = 0; i < holds.size(); ++i) {
+      if (missing == (holds[i] ? 0 : 1))
+        walk(of.operands[i]);
+      else
+        next_ += leaf_count(of.operands[i]);
+    }
   }
-  void walk(const Covered& of, bool meets) { walk(*of.over, meets); }
-  void walk(const Painted& of, bool meets) { walk(*of.over, meets); }
-  void walk(const Everything&, bool) {}
-  void walk(const Nothing&, bool) {}
+  void walk(const Covered& of) { walk(*of.over); }
+  void walk(const Painted& of) { walk(*of.over); }
+  void walk(const Everything&) {}
+  void walk(const Nothing&) {}
 
   bool may_hold(const Shape& shape) const {
     return std::visit([&](const auto& expression) { return may_hold(expression); }, shape.expression);
@@ -81,7 +87,7 @@ class Standing {
 
 std::vector<Leaf> leaves_that_may_stand(const Shape& shape, const Vector& place) {
   Standing standing(place);
-  standing.walk(shape, true);
+  standing.walk(shape);
   return std::move(standing.found);
 }
 

@@ -6,29 +6,6 @@
 
 namespace groundtruth::page {
 
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words) {
-    switch (c) {
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '&':
-        text += "&amp;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
-}
-
 Picture::Picture(double width, double height, const std::string& name, const std::string& description)
     : body_(fmt::format("<svg role=\"img\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
                         "aria-label=\"{2}. {3}\">\n<title>{2}</title><desc>{3}</desc>\n",

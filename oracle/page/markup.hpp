@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include <groundtruth/report/escaped.hpp>
+
 namespace groundtruth::page {
 
-std::string escaped(const std::string& words);
+using report::escaped;
 
 struct Dot {
   double x = 0;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace groundtruth::report {
+#include <groundtruth/report/escaped.hpp>
 
-std::string escaped(const std::string& text);
+namespace groundtruth::report {
 
 enum class Align { words, numbers };
 

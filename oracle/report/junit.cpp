@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include <groundtruth/report/escaped.hpp>
 #include <groundtruth/report/validation_report.hpp>
 
 namespace groundtruth::report {
@@ -10,42 +12,26 @@ namespace {
 using namespace validation;
 
 // XML 1.0 has no way to say most control characters.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  }
-  return result;
+std::string in_xml(std::string_view text) {
+  std::string sayable(text);
+  std::replace_if(
+      sayable.begin(), sayable.end(), [](unsigned char c) { return c < 0x20; }, '?');
+  return escaped(sayable);
 }
 
 std::string test_of(const Record& record) {
   const bool is_known = record.expectation == Expectation::known;
   const bool is_wrong = record.outcome == Outcome::wrong || record.outcome == Outcome::accepted;
   std::string text = fmt::format("    <testcase classname=\"groundtruth.{}\" name=\"{}\" time=\"{:.6f}\">\n",
-                                 name_of(record.kind), escaped(record.id), record.seconds);
+                                 name_of(record.kind), in_xml(record.id), record.seconds);
   if (is_known) {
-    text += fmt::format("      <skipped message=\"known to fail: {}\"/>\n", escaped(record.explanation));
+    text += fmt::format("      <skipped message=\"known to fail: {}\"/>\n", in_xml(record.explanation));
   } else {
     const std::string_view element = is_wrong ? "failure" : "error";
     text += fmt::format("      <{} type=\"{} {}\" message=\"{}\">{}\n{}\n{}\n{}</{}>\n", element,
-                        name_of(record.outcome), record.difference, escaped(record.explanation),
-                        escaped(record.scene), escaped(record.ask), escaped(record.got),
-                        escaped(record.exact), element);
+                        name_of(record.outcome), record.difference, in_xml(record.explanation),
+                        in_xml(record.scene), in_xml(record.ask), in_xml(record.got), in_xml(record.exact),
+                        element);
   }
   return text + "    </testcase>\n";
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <groundtruth/report/escaped.hpp>
+
 namespace groundtruth::report {
 namespace {
 
@@ -25,19 +27,6 @@ text { fill: #ccc } .page { fill: #16191d } .frame { stroke: #666 } .grid { stro
 .wash0 { fill: #1e3a28 } .wash1 { fill: #4a2d1a } }
 </style>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '&')
-      result += "&amp;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <groundtruth/report/escaped.hpp>
+
 namespace groundtruth::report {
 namespace {
 
@@ -12,19 +14,6 @@ constexpr const char* style =
     "sans-serif; "
     "fill: #222 } @media (prefers-color-scheme: dark) { .paper { fill: #14171a } .pen { stroke: #fff } "
     ".plain { fill: #d5d9dd } }</style>\n";
-
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words) {
-    if (c == '<')
-      text += "&lt;";
-    else if (c == '&')
-      text += "&amp;";
-    else
-      text += c;
-  }
-  return text;
-}
 
 }  // namespace
 

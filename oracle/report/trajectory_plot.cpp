@@ -1,5 +1,7 @@
 #include <groundtruth/report/trajectory_plot.hpp>
 
+#include <groundtruth/rig/body.hpp>
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -10,8 +12,6 @@ namespace {
 std::size_t columns_of(const rig::Scenario& scenario) {
   return static_cast<std::size_t>(std::clamp(scenario.duration / scenario.h, 1.0, double{plot_width}));
 }
-
-Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void TrajectoryPlot::add(const WheelState& state, const Eigen::Vector3d& force, 
   plot.normal_in_world.reset();
   const auto* contact = std::get_if<Contact>(&state);
   if (contact == nullptr) return;
-  plot.normal_in_world = vector_of(contact->normal_in_world).normalized();
+  plot.normal_in_world = rig::vector_of(contact->normal_in_world).normalized();
   const Seen seen = contact->grip == Grip::stick ? Seen::stick : Seen::slip;
   plot.seen[column] = std::max(plot.seen[column], seen);
 }

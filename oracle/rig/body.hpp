@@ -8,6 +8,8 @@ namespace groundtruth::rig {
 using Vector6 = Eigen::Matrix<double, 6, 1>;  // linear, then angular
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+inline Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
+
 // Of a quaternion of any length. What follows takes the body's as `world_from_body`, made once a step.
 Eigen::Matrix3d rotation_of(const Eigen::Quaterniond& q);
 

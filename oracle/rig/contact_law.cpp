@@ -6,8 +6,6 @@
 namespace groundtruth::rig {
 namespace {
 
-Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
-
 // The columns of Q, in wheel axes, for a normal in wheel axes.
 Eigen::Matrix3d surface_axes(const Eigen::Vector3d& n) {
   const double r = std::hypot(n.x(), n.z()), length = n.norm();

@@ -5,8 +5,6 @@
 namespace groundtruth::rig {
 namespace {
 
-Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
-
 double strut_energy(const Wheel& wheel, double z) {
   if (z >= wheel.z_max) return 0;
   const double compression = z - wheel.z_zero;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr int most_parts = 64;
 
-Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
-
 class ImplicitStep {
  public:
   ImplicitStep(const Machine& machine, WheelSteps& wheel_steps, double h, const Controls& controls,

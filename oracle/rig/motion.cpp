@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> integrator_names{"semi-implicit", "half-kick", "implicit"};
 
-Eigen::Vector3d vector_of(const Vector& v) { return {v[0], v[1], v[2]}; }
-
 // A frame that left the range of doubles must not be asked about.
 bool is_finite(const BodyState& body) {
   return body.position_in_world.allFinite() && body.velocity_in_world.allFinite() &&

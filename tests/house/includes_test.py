@@ -30,7 +30,7 @@ ALLOWED = {
     "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
     "oracle/explanation": {"problem", "text", "cases", "judge", "implementations"},
-    "oracle/page": {"problem", "text", "cases", "explanation"},
+    "oracle/page": {"problem", "text", "cases", "explanation", "report"},
     "oracle/cli": {"precision", "problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
                    "stability", "explanation", "page"},
 }

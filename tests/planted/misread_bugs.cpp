@@ -40,25 +40,12 @@ Shape first_of_each(const Shape& region) {
   return common && !common->operands.empty() ? common->operands.front() : region;
 }
 
-template <std::size_t most>
-Scene unions_up_to(Scene scene) {
+// Operands after the first `most` of a union, or an intersection, are read as what changes nothing there.
+template <typename Operator, Shape (*as_lost)(Shape), std::size_t most>
+Scene operands_up_to(Scene scene) {
   scene.shape = rewritten(scene.shape, [](Shape shape, unsigned) {
-    auto* united = std::get_if<Union>(&shape.expression);
-    if (united == nullptr || united->operands.size() <= most) return shape;
-    for (std::size_t i = most; i < united->operands.size(); ++i)
-      united->operands[i] = as_nothing(united->operands[i]);
-    return shape;
-  });
-  return scene;
-}
-
-template <std::size_t most>
-Scene intersections_up_to(Scene scene) {
-  scene.shape = rewritten(scene.shape, [](Shape shape, unsigned) {
-    auto* common = std::get_if<Intersection>(&shape.expression);
-    if (common == nullptr || common->operands.size() <= most) return shape;
-    for (std::size_t i = most; i < common->operands.size(); ++i)
-      common->operands[i] = as_everything(common->operands[i]);
+    if (auto* of = std::get_if<Operator>(&shape.expression))
+      for (std::size_t i = most; i < of->operands.size(); ++i) of->operands[i] = as_lost(of->operands[i]);
     return shape;
   });
   return scene;
@@ -124,11 +111,11 @@ std::vector<Bug> misread_bugs() {
       {"region-by-first-plane", entry, special, "paint on an intersection is paint on its first operand",
        reads(with_regions<first_of_each>)},
       {"unions-up-to-32", entry, special, "the operands of a union after the 32nd are lost",
-       reads(unions_up_to<32>)},
+       reads(operands_up_to<Union, as_nothing, 32>)},
       {"intersections-up-to-16", entry, special, "the operands of an intersection after the 16th are lost",
-       reads(intersections_up_to<16>)},
+       reads(operands_up_to<Intersection, as_everything, 16>)},
       {"intersections-up-to-32", entry, extreme, "the operands of an intersection after the 32nd are lost",
-       reads(intersections_up_to<32>)},
+       reads(operands_up_to<Intersection, as_everything, 32>)},
       {"dynamic-below-static", step, special, "dynamic friction above static is cut to it",
        reads(with_frictions<dynamic_below_static>)},
       {"scene-friction-up-to-one", step, special, "coefficients of a scene above 1 are cut to 1",

@@ -1,12 +1,12 @@
 #include "witnessing.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <groundtruth/cases/ask_source.hpp>
 #include <groundtruth/cases/builtin_scenes.hpp>
 #include <groundtruth/cases/corpus.hpp>
 #include <groundtruth/cases/shape_parts.hpp>
+#include <groundtruth/judge/finite.hpp>
 
 namespace groundtruth::diagnosis {
 namespace {
@@ -27,33 +27,6 @@ std::vector<cases::Case> generated(const Scene& scene, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) asks.push_back({"", scene, source.next().ask, {}, ""});
   return asks;
 }
-
-bool are_finite(const Vector& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-// The pipe would not let another answer through to the judge.
-struct IsFinite {
-  template <class Kind>
-  bool operator()(const Kind& answer) const {
-    return std::visit([](const auto& one) { return is_finite(one); }, answer);
-  }
-
- private:
-  static bool is_finite(const Inside& inside) { return std::isfinite(inside.lambda); }
-  static bool is_finite(const Border& border) {
-    return std::isfinite(border.lambda) && are_finite(border.normal_in_world);
-  }
-  static bool is_finite(const Clipped& clipped) { return are_finite(clipped.force_in_wheel); }
-  static bool is_finite(const Stepped& stepped) {
-    const auto* contact = std::get_if<Contact>(&stepped.state);
-    return are_finite(stepped.force_on_frame_in_world) &&
-           (contact == nullptr ||
-            (are_finite(contact->pebble_in_world) && are_finite(contact->pebble_velocity_in_world)));
-  }
-  template <class WithoutNumbers>
-  static bool is_finite(const WithoutNumbers&) {
-    return true;
-  }
-};
 
 }  // namespace
 
@@ -84,8 +57,9 @@ Judged Asking::judge(const implementations::Engine& subject) const {
     const auto on_scene = subject.on(part.scene);
     for (const Asked& one : part.asked) {
       const Answer got = on_scene->answer(one.asked.ask).answer;
+      // The pipe would not let another answer through to the judge.
+      if (!judge::has_only_finite_numbers(got)) continue;
       // The judge takes its time, and most are the same bits.
-      if (!std::visit(IsFinite{}, got)) continue;
       const bool is_accepted = got == one.exact || part.judge.judge(one.asked.ask, got).is_accepted();
       (is_accepted ? judged.accepted : judged.failures).push_back({one.asked, got, one.exact});
     }
