@@ -11,10 +11,9 @@ namespace groundtruth::fast {
 // 1. Outcome, state, contact and every decision on the way are those of exact numbers, for any doubles:
 //    decided in doubles or double-double within a proven bound, else exactly (lemmas decisions-in-doubles and
 //    counted-roundings, proofs-notes/rounding-of-forces.md).
-// 2. Every component of pebble, velocity and force is the exact one rounded to nearest, never -0: the same
-// bits
-//    on every machine (lemmas load-in-pairs, clip-in-pairs and strut-in-pairs). A pebble that sticks stays
-//    where it is, bit for bit, and so does its normal.
+// 2. Every component of pebble, velocity and force is the exact one rounded to nearest, never -0: the
+//    same bits everywhere (lemmas load-in-pairs, clip-in-pairs and strut-in-pairs). A pebble that sticks
+//    stays where it is, bit for bit, and so does its normal.
 // 3. A contact with a surface that has no material, or no friction for the tyre, is refused with a reason
 //    that names leaf and material, once contact would be made. A result outside the range of doubles is
 //    refused with a reason that names it ("state.pebble[2] leaves the range of doubles").
