@@ -27,6 +27,8 @@ std::string_view in_words(Ending ending) {
   switch (ending) {
     case Ending::all_asked:
       return "all asked";
+    case Ending::enough_failed:
+      return "enough failed, the rest was not asked";
     case Ending::out_of_time:
       return "out of time";
     case Ending::interrupted:

@@ -33,6 +33,7 @@ class Run {
                 return std::tie(left.stream, left.finding.ask_number) <
                        std::tie(right.stream, right.finding.ask_number);
               });
+    if (result_.ending == Ending::all_asked && enough_failed_) result_.ending = Ending::enough_failed;
     result_.seconds = seconds();
     return std::move(result_);
   }
@@ -42,7 +43,10 @@ class Run {
     std::uint64_t asked = 0;
     while (!is_over()) {
       const std::optional<Batch> batch = stream.next();
-      if (!batch) return;
+      if (!batch) {
+        enough_failed_ = enough_failed_ || stream.has_failed_enough();
+        return;
+      }
       std::vector<Finding> findings = examine(*batch, plan_.kinds, plan_.tolerance, subject);
       if (is_interrupted()) return;  // the interrupt may have reached the implementation as well
       for (Finding& finding : findings) finding.ask_number = asked++;
@@ -84,6 +88,7 @@ class Run {
   const Watch& watch_;
   Clock::time_point start_;
   std::atomic<std::size_t> next_stream_ = 0;
+  std::atomic<bool> enough_failed_ = false;
   std::mutex mutex_;
   static constexpr std::uint64_t most_samples = 100;
   std::array<std::uint64_t, number_of_kinds> samples_{};  // accepted cases of each kind so far

@@ -33,7 +33,8 @@ struct Failure {
   Finding finding;
 };
 
-enum class Ending { all_asked, out_of_time, interrupted, too_many_hung };
+// `enough_failed`: all was asked of the streams that had not failed enough.
+enum class Ending { all_asked, enough_failed, out_of_time, interrupted, too_many_hung };
 
 struct Result {
   Tally tally;

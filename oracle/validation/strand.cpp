@@ -44,6 +44,10 @@ class Strand : public Stream {
     return batch;
   }
 
+  bool has_failed_enough() const override {
+    return plan_.most_failures > 0 && failures_ >= plan_.most_failures && given_ < plan_.cases;
+  }
+
   void learn(std::span<const Finding> findings) override {
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const Finding& finding = findings[i];
@@ -61,8 +65,6 @@ class Strand : public Stream {
   }
 
  private:
-  bool has_failed_enough() const { return plan_.most_failures > 0 && failures_ >= plan_.most_failures; }
-
   Kind some_kind() {
     const Shares& shares = plan_.shares;
     const std::uint64_t drawn = random_.below(std::uint64_t{shares.entry} + shares.clip + shares.step);

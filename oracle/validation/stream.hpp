@@ -27,6 +27,8 @@ class Stream {
   virtual std::optional<Batch> next() = 0;
   // What came of the last batch, one an ask: a stream may choose the next by it.
   virtual void learn(std::span<const Finding> findings) = 0;
+  // It ended before its cases did, as so many had failed.
+  virtual bool has_failed_enough() const { return false; }
 };
 
 // Told of a case, by its id, and what came of it.

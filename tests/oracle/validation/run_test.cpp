@@ -73,6 +73,16 @@ TEST(Run, FindsTheSameFailuresWithAnyNumberOfJobs) {
   EXPECT_EQ(ids_of(one), ids_of(four));
 }
 
+TEST(Run, SaysWhetherTheRestWasLeftOutAsEnoughHadFailed) {
+  Selection selection = of_cases(3000);
+  selection.most_failures = 5;
+  const Result few = run_on(spoil_misses, selection);
+  EXPECT_EQ(few.ending, Ending::enough_failed);
+  EXPECT_LT(few.tally.judged(), 3000u);
+  selection.most_failures = 0;
+  EXPECT_EQ(run_on(spoil_misses, selection).ending, Ending::all_asked);
+}
+
 TEST(Run, IsTheSumOfItsShards) {
   const Result whole = run_on(spoil_misses, of_cases(4000));
   Tally tally;
