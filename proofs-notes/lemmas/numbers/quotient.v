@@ -153,6 +153,50 @@ Proof.
     replace (u * (u * Rabs a + 17 * tiny)) with (u * u * Rabs a + u * (17 * tiny)) in * by ring. unfold u in *; lra.
 Qed.
 
+(* Where the quotient itself is subnormal, or whatever it is. *)
+Theorem remainder_is_computed_anyway : forall a b lost, is_double a -> is_double b -> is_double lost -> b <> 0 ->
+  let q := fl (a / b) in let p := fl (q * b) in
+  Rabs (lost - (q * b - p)) <= 7 * tiny -> Rabs (fl (fl (a - p) - lost) - (a - q * b)) <= 32 * tiny + tiny * Rabs b.
+Proof.
+  intros a b lost Da Db Dl some q p lost_near. pose proof tiny_positive. pose proof (Rabs_pos b).
+  assert (0 <= tiny * Rabs b) by (apply Rmult_le_pos; lra).
+  destruct (Rle_or_lt (bpow radix2 (-1022)) (Rabs (a / b))) as [normal | subnormal].
+  { apply Rle_trans with (32 * tiny); [| lra]. now apply remainder_is_computed. }
+  assert (is_double q) as Dq by apply fl_is_double. assert (is_double p) as Dp by apply fl_is_double.
+  assert (is_double (- p)) as Dnp by now apply generic_format_opp.
+  assert (is_double (- lost)) as Dnl by now apply generic_format_opp.
+  assert (is_double (fl (a - p))) as Dd by apply fl_is_double.
+  pose proof (fl_error (a / b)) as q_near; fold q in q_near.
+  pose proof (fl_error (q * b)) as p_near; fold p in p_near.
+  pose proof (sum_error a (- p) Da Dnp) as d_near; change (a + - p) with (a - p) in d_near.
+  pose proof (sum_error (fl (a - p)) (- lost) Dd Dnl) as s_near; change (fl (a - p) + - lost) with (fl (a - p) - lost) in s_near.
+  set (B := tiny * Rabs b) in *. set (r := a - q * b) in *.
+  assert (u * bpow radix2 (-1022) = tiny) as scale
+    by (assert (u = bpow radix2 (-53)) as -> by reflexivity; unfold tiny; rewrite <- bpow_plus; reflexivity).
+  assert (u * Rabs (a / b) <= tiny) by (rewrite <- scale; apply Rmult_le_compat_l; [unfold u |]; lra).
+  assert (Rabs r <= 2 * B) as r_size.
+  { replace r with (- ((q - a / b) * b)) by (unfold r; field; assumption). rewrite Rabs_Ropp, Rabs_mult.
+    replace (2 * B) with (2 * tiny * Rabs b) by (unfold B; ring). apply Rmult_le_compat_r; [apply Rabs_pos | lra]. }
+  assert (u * Rabs a <= B) as a_size.
+  { replace a with (a / b * b) by (field; assumption). rewrite Rabs_mult, <- Rmult_assoc. unfold B. now apply Rmult_le_compat_r. }
+  assert (Rabs (q * b) <= Rabs a + 2 * B).
+  { replace (q * b) with (a - r) by (unfold r; ring). apply Rle_trans with (1 := difference_size _ _). lra. }
+  assert (u * Rabs (q * b) <= u * (Rabs a + 2 * B)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+  assert (0 <= B) by assumption.
+  assert (Rabs (a - p) <= 4 * B + tiny) as size_d.
+  { replace (a - p) with (r - (p - q * b)) by (unfold r; ring).
+    apply Rle_trans with (1 := difference_size _ _). unfold u in *; lra. }
+  assert (u * Rabs (a - p) <= u * (4 * B + tiny)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+  assert (Rabs (fl (a - p) - lost - r) <= u * (4 * B + tiny) + 7 * tiny) as offset.
+  { replace (fl (a - p) - lost - r) with ((fl (a - p) - (a - p)) - (lost - (q * b - p))) by (unfold r; ring).
+    apply Rle_trans with (1 := difference_size _ _). lra. }
+  assert (Rabs (fl (a - p) - lost) <= 3 * B + 8 * tiny).
+  { replace (fl (a - p) - lost) with ((fl (a - p) - lost - r) + r) by ring. apply Rle_trans with (1 := Rabs_triang _ _). unfold u in *; lra. }
+  assert (u * Rabs (fl (a - p) - lost) <= u * (3 * B + 8 * tiny)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+  replace (fl (fl (a - p) - lost) - r) with ((fl (fl (a - p) - lost) - (fl (a - p) - lost)) + (fl (a - p) - lost - r)) by ring.
+  apply Rle_trans with (1 := Rabs_triang _ _). unfold u in *; lra.
+Qed.
+
 Theorem inverse_is_near : forall b, b <> 0 -> Rabs b <= bpow radix2 1000 -> Rabs (fl (1 / b) * b - 1) <= 2 * u.
 Proof.
   intros b some small. pose proof (fl_error (1 / b)) as near. pose proof tiny_positive.
@@ -167,4 +211,5 @@ Qed.
 
 Print Assumptions remainder_is_double.
 Print Assumptions remainder_is_computed.
+Print Assumptions remainder_is_computed_anyway.
 Print Assumptions inverse_is_near.
