@@ -161,11 +161,10 @@ Let t := fl (rest va (- vb) + fl (ra + - rb)).
 Let w_high := fl (difference + t).
 Let w_low := rest difference t.
 Let q := fl (va / w_high).
-Let product := fl (q * w_high).
-(* What that loses: fused or Dekker's. *)
-Variable lost : R.
-Hypotheses (Dlost : is_double lost) (lost_near : Rabs (lost - (q * w_high - product)) <= 7 * tiny).
-Let remainder := fl (fl (va - product) - lost).
+(* Dekker's or fused (quotient.v: `remainder_is_computed_anyway`, `fused_remainder`). *)
+Variable remainder : R.
+Hypotheses (Dremainder : is_double remainder)
+  (remainder_near : Rabs (remainder - (va - q * w_high)) <= 32 * tiny + tiny * Rabs w_high).
 Let inverse := fl (1 / w_high).
 Let c := fl (fl (remainder + fl (ra + - fl (q * w_low))) * inverse).
 Let high := fl (q + c).
@@ -275,9 +274,8 @@ Proof.
         replace ((u * Rabs (va / w_high) + tiny) * D) with (u * (Rabs (va / w_high) * D) + tiny * D) by ring. rewrite whole.
         assert (0 <= 2 * u * u * Rabs va) by (apply Rmult_le_pos; [unfold u; lra | apply Rabs_pos]). unfold L. lra.
       + apply Rle_trans with (32 * tiny + tiny * D); [| unfold L; lra].
-        now apply remainder_is_computed_anyway; [| apply fl_is_double | | | ].
+        exact remainder_near.
       + now apply inverse_is_near.
-      + apply fl_is_double.
       + change (tiny * D <= L). unfold L; lra.
       + assert (tiny <= u * pad) by lra.
         assert (tiny * D <= / 1000 * D) by (apply Rmult_le_compat_r; [lra |]; unfold tiny; simpl; lra).

@@ -197,6 +197,34 @@ Proof.
   apply Rle_trans with (1 := Rabs_triang _ _). unfold u in *; lra.
 Qed.
 
+(* The same by one fused operation. *)
+Theorem fused_remainder : forall a b, is_double a -> is_double b -> b <> 0 ->
+  let q := fl (a / b) in Rabs (fl (a - q * b) - (a - q * b)) <= 32 * tiny + tiny * Rabs b.
+Proof.
+  intros a b Da Db some q. pose proof tiny_positive. pose proof (Rabs_pos b). pose proof (Rabs_pos a).
+  assert (0 <= tiny * Rabs b) by (apply Rmult_le_pos; lra).
+  pose proof (fl_error (a - q * b)) as near. set (r := a - q * b) in *.
+  destruct (Rle_or_lt (bpow radix2 (-1022)) (Rabs (a / b))) as [normal | subnormal].
+  - pose proof (remainder_is_near a b some normal) as r_near. fold q r in r_near.
+    destruct (Rle_or_lt (bpow radix2 (-967)) (Rabs a)) as [big | small].
+    + assert (is_double r) as Dr by now apply remainder_is_double. rewrite (fl_of_double r Dr), Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
+    + assert (u * Rabs r <= u * (u * Rabs a)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+      assert (u * u * Rabs a <= 4 * tiny) as second.
+      { apply Rle_trans with (u * u * bpow radix2 (-967)); [apply Rmult_le_compat_l; [unfold u |]; lra |].
+        right. assert (u = bpow radix2 (-53)) as -> by reflexivity. unfold tiny.
+        replace 4 with (bpow radix2 2) by reflexivity. rewrite <- !bpow_plus. reflexivity. }
+      lra.
+  - pose proof (fl_error (a / b)) as q_near; fold q in q_near.
+    assert (u * bpow radix2 (-1022) = tiny) as scale
+      by (assert (u = bpow radix2 (-53)) as -> by reflexivity; unfold tiny; rewrite <- bpow_plus; reflexivity).
+    assert (u * Rabs (a / b) <= tiny) by (rewrite <- scale; apply Rmult_le_compat_l; [unfold u |]; lra).
+    assert (Rabs r <= 2 * (tiny * Rabs b)) as r_size.
+    { replace r with (- ((q - a / b) * b)) by (unfold r; field; assumption). rewrite Rabs_Ropp, Rabs_mult.
+      replace (2 * (tiny * Rabs b)) with (2 * tiny * Rabs b) by ring. apply Rmult_le_compat_r; [apply Rabs_pos | lra]. }
+    assert (u * Rabs r <= u * (2 * (tiny * Rabs b))) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+    set (B := tiny * Rabs b) in *. unfold u in *; lra.
+Qed.
+
 Theorem inverse_is_near : forall b, b <> 0 -> Rabs b <= bpow radix2 1000 -> Rabs (fl (1 / b) * b - 1) <= 2 * u.
 Proof.
   intros b some small. pose proof (fl_error (1 / b)) as near. pose proof tiny_positive.
@@ -212,4 +240,5 @@ Qed.
 Print Assumptions remainder_is_double.
 Print Assumptions remainder_is_computed.
 Print Assumptions remainder_is_computed_anyway.
+Print Assumptions fused_remainder.
 Print Assumptions inverse_is_near.
