@@ -3,7 +3,7 @@
    limits agree. Underflow is inside; that overflow shows (the limits are then no equal numbers) is on paper. *)
 
 From Coq Require Import Reals Psatz.
-From Flocq Require Import Core Relative Mult_error Plus_error.
+From Flocq Require Import Core Mult_error.
 From Groundtruth Require Import doubles pair_sum quotient delta_in_pairs crossing.
 Open Scope R_scope.
 
@@ -40,14 +40,6 @@ Proof.
   assert (u * Rabs (high + fl (low + e)) <= u * (103 * e)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
   assert (u * Rabs (high + fl (low + - e)) <= u * (103 * e)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
   apply within in up'; apply within in down'. unfold u in *; lra.
-Qed.
-
-Lemma sum_error_of_rounded : forall x y, is_double x -> is_double y -> Rabs (fl (x + y) - (x + y)) <= u * Rabs (fl (x + y)).
-Proof.
-  intros x y Dx Dy. destruct (FLT_plus_error_N_round_ex radix2 (-1074) 53 (fun z => negb (Z.even z)) x y Dx Dy) as (e & small & exact).
-  fold (fl (x + y)) in exact. rewrite exact at 2.
-  replace (fl (x + y) - fl (x + y) * (1 + e)) with (- e * fl (x + y)) by ring. rewrite Rabs_mult, Rabs_Ropp.
-  apply Rmult_le_compat_r; [apply Rabs_pos |]. apply Rle_trans with (1 := small). unfold u_ro, u; simpl; lra.
 Qed.
 
 Section Bound.
