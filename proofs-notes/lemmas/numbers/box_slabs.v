@@ -50,6 +50,7 @@ Proof.
   split; intros; rewrite <- zero; apply round_le; trivial; try apply valid_rnd_N; now apply FLT_exp_valid.
 Qed.
 
+Definition delta := / 1048576. (* 0x1p-20 *)
 (* 1e-20 and 1e-30 of the code are doubles near them. *)
 Definition least_pad := / 100000000000000000000.
 Definition shortest := / 1000000000000000000000000000000.
@@ -97,8 +98,6 @@ Variable inverse : R.
 Hypotheses (Dinverse : is_float inverse) (inverse_pos : 0 < inverse).
 Hypothesis inverse_of_short : way <= shortest -> 9 / 10 * / shortest <= inverse.
 Hypothesis inverse_of_long : shortest <= way -> Rabs (inverse * way - 1) <= 2 * v.
-
-Let delta := / 1048576. (* 2^-20 *)
 
 Lemma way_is_near : Rabs (way - (last - from)) <= 2 * u * way /\ way <= bpow radix2 62.
 Proof.
