@@ -81,6 +81,8 @@ EXPRESSIONS = [
     ("fast/search_kernels_body.hpp", "if (meeting.upper < result.upper) result.upper = meeting.upper;"),
     ("fast/search.cpp", "if (contender.meeting.lower <= upper) contenders[kept++] = contender;"),
     ("fast/box.cpp", "bound += 8 * unit * size + tiny;"),
+    ("fast/box.cpp", "best.bound = std::min(best.bound, bound + 2 * unit * magnitude(bound) + tiny);"),
+    ("fast/paint.cpp", "const double at_lower = a + place_.lower * (b - a), at_upper = a + place_.upper * (b - a);"),
     ("fast/box.cpp", "slack[k] = magnitude(rest[k]) + 8 * unit * rest_size[k] + tiny;"),
     ("fast/box.cpp", "if (one > 0) limit += one * reach * (1 + 4 * unit); limit += 4 * unit * magnitude(limit);"),
     ("fast/box.cpp", "const double greatest = sum + 8 * unit * size + tiny;"),

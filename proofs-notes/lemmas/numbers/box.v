@@ -231,9 +231,45 @@ Proof.
 Qed.
 End Limit.
 
+(* By a half-space that looks in this very direction: bound + 2 unit |bound| + tiny, then limit += 4 unit |limit|. *)
+Theorem one_normal_is_enough : forall d along, 0 < along ->
+  let q := fl (d / along) in let b := fl (fl (q + fl (2 * u * Rabs q)) + floor) in
+  d / along <= fl (b + fl (4 * u * Rabs b)).
+Proof.
+  intros d along positive q b. set (x := d / along) in *. pose proof tiny_positive. pose proof floor_covers.
+  pose proof (fl_error x) as q_near. fold q in q_near.
+  assert (forall c y, 0 <= c <= 8 * u -> c * Rabs y * (1 - u) - tiny <= fl (c * Rabs y) /\ fl (c * Rabs y) <= c * Rabs y * (1 + u) + tiny
+          /\ 0 <= fl (c * Rabs y)) as part.
+  { intros c y few. pose proof (Rabs_pos y). assert (0 <= c * Rabs y) by (apply Rmult_le_pos; lra).
+    pose proof (fl_error (c * Rabs y)) as near. rewrite (Rabs_pos_eq (c * Rabs y)) in near by assumption. apply within in near.
+    split; [| split]; [unfold u in *; lra | unfold u in *; lra |].
+    rewrite <- (fl_of_double 0) by apply generic_format_0. now apply fl_monotone. }
+  destruct (part (2 * u) q ltac:(unfold u; lra)) as (g_least & g_most & g_pos). set (g := fl (2 * u * Rabs q)) in *.
+  destruct (part (4 * u) b ltac:(unfold u; lra)) as (k_least & k_most & k_pos). set (k := fl (4 * u * Rabs b)) in *.
+  pose proof (sum_error q g (fl_is_double _) (fl_is_double _)) as y_near. set (y := fl (q + g)) in *.
+  pose proof (sum_error y floor (fl_is_double _) floor_is_double) as b_near. fold b in b_near.
+  pose proof (sum_error b k (fl_is_double _) (fl_is_double _)) as l_near.
+  assert (0 < floor) by apply bpow_gt_0. pose proof (Rabs_pos q). pose proof (Rabs_pos b).
+  assert (forall a c, 0 <= c -> Rabs (a + c) <= Rabs a + c) as more.
+  { intros a c some. apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_pos_eq c) by assumption. lra. }
+  pose proof (more q g g_pos). pose proof (more y floor ltac:(lra)). pose proof (more b k k_pos).
+  assert (Rabs x <= Rabs q + Rabs (q - x)).
+  { rewrite (Rabs_minus_sym q). replace x with (q + (x - q)) at 1 by ring. apply Rabs_triang. }
+  assert (Rabs y <= Rabs (q + g) + Rabs (y - (q + g))) by (replace y with ((q + g) + (y - (q + g))) at 1 by ring; apply Rabs_triang).
+  assert (Rabs q <= Rabs b + Rabs (q - b)) by (replace q with (b + (q - b)) at 1 by ring; apply Rabs_triang).
+  assert (Rabs (q - b) <= g + floor + Rabs (y - (q + g)) + Rabs (b - (y + floor))).
+  { replace (q - b) with (- (g + floor) + (- (y - (q + g)) + - (b - (y + floor)))) by ring.
+    apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp, (Rabs_pos_eq (g + floor)) by lra.
+    apply Rle_trans with (g + floor + (Rabs (- (y - (q + g))) + Rabs (- (b - (y + floor))))); [apply Rplus_le_compat_l, Rabs_triang |].
+    rewrite !Rabs_Ropp. lra. }
+  pose proof (magnitude (q - x)). pose proof (magnitude (y - (q + g))). pose proof (magnitude (b - (y + floor))).
+  pose proof (magnitude (fl (b + k) - (b + k))). unfold u in *; lra.
+Qed.
+
 Print Assumptions raised_is_above.
 Print Assumptions raised_in_turn_is_above.
 Print Assumptions slack_is_enough.
 Print Assumptions duality.
 Print Assumptions reach_is_enough.
 Print Assumptions limit_is_above.
+Print Assumptions one_normal_is_enough.
