@@ -24,6 +24,7 @@ void Tally::add(const judge::Comparison& comparison, Place place) {
 
 void Tally::merge(const Tally& other) {
   asks_ += other.asks_;
+  left_out_ += other.left_out_;
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   keep_worst(worst_lambda_, other.worst_lambda_);
   keep_worst(worst_vector_, other.worst_vector_);

@@ -35,10 +35,13 @@ class Tally {
   static constexpr std::size_t most_examples = 5;
 
   void add(const judge::Comparison& comparison, Place place);
+  // Of a kind that the engine answers, but it was not put to it, to save time.
+  void leave_out() { ++left_out_; }
   void add_time(double seconds) { seconds_ += seconds; }
   void merge(const Tally& other);
 
   std::uint64_t asks() const { return asks_; }
+  std::uint64_t left_out() const { return left_out_; }
   std::uint64_t count(judge::Difference difference) const {
     return counts_[static_cast<std::size_t>(difference)];
   }
@@ -50,6 +53,7 @@ class Tally {
 
  private:
   std::uint64_t asks_ = 0;
+  std::uint64_t left_out_ = 0;
   std::array<std::uint64_t, judge::number_of_differences> counts_{};
   Worst worst_lambda_;
   Worst worst_vector_;

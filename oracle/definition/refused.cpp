@@ -5,7 +5,7 @@ namespace groundtruth::definition {
 
 double rounded(const Real& exact, const std::string& quantity) {
   const std::optional<double> result = nearest_double(exact);
-  if (!result) throw Refused(quantity + " is outside the range of doubles");
+  if (!result) throw Refused(quantity + " leaves the range of doubles");
   return *result;
 }
 

@@ -48,6 +48,12 @@ std::string table_of(const CheckedScene& checked) {
                         ulps(tally.worst_vector().ulps), tally.nanoseconds_per_ask(),
                         ratio(tally.nanoseconds_per_ask(), of_double));
   }
+  for (std::size_t i = 0; i < checked.engines.size(); ++i) {
+    const Tally& tally = checked.tallies[i];
+    if (tally.left_out() == 0) continue;
+    text += fmt::format("  {}: {} asks of its kinds were not put to it, as it is slow\n", checked.engines[i],
+                        tally.left_out());
+  }
   return text;
 }
 
@@ -72,6 +78,7 @@ std::string json_of(const CheckedScene& checked) {
     member("leaves", [&] { writer.Uint64(checked.leaves); });
     member("engine", [&] { writer.String(checked.engines[i].c_str()); });
     member("asks", [&] { writer.Uint64(tally.asks()); });
+    member("left_out", [&] { writer.Uint64(tally.left_out()); });
     writer.Key("disagreements");
     writer.StartObject();
     for (const Difference difference : counted) {

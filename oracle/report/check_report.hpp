@@ -15,7 +15,8 @@ struct CheckedScene {
   std::vector<campaign::Tally> tallies;  // one an engine
 };
 
-// A table: a row an engine, the time as a ratio to that of `double`.
+// A table: a row an engine, the time as a ratio to that of `double`; then how many asks were not put to an
+// engine.
 std::string table_of(const CheckedScene& checked);
 
 // One line of JSON an engine.

@@ -104,7 +104,19 @@ Proof.
     rewrite (le_by_sides (normal h) v w); auto.
 Qed.
 
-Theorem no_new_faces s t p i : alike somewhere s t -> bounds t p i -> bounds s p i.
+Definition here (p : vector) (known : half_space -> truth) : Prop := refines known (at_point p).
+
+Lemma alike_anywhere_is_alike_here s t p : alike somewhere s t -> alike (here p) s t.
+Proof. intros a known near. apply a. now exists p. Qed.
+
+Lemma same_local_shape_here s t p v : alike (here p) s t -> cone s p v = cone t p v.
+Proof.
+  intros a. destruct (a (fun h => as_truth (holds_along p v h))) as (same_value & _).
+  - intros h known. unfold holds_along. now destruct (at_point p h).
+  - rewrite !decided_value in same_value. unfold cone. now destruct (value _ s), (value _ t).
+Qed.
+
+Theorem no_new_faces s t p i : alike (here p) s t -> bounds t p i -> bounds s p i.
 Proof.
   intros a (open & v & along). split; trivial.
   destruct (direction_can_be_made_generic i (leaves s ++ leaves t) v (proj1 along)) as (w & in_plane & good).
@@ -112,24 +124,30 @@ Proof.
   { intros h below. apply good. apply in_or_app. now right. }
   exists w. split; trivial. split; [| split; [| split]].
   - intros h below _ other. apply good; trivial. apply in_or_app. now left.
-  - now rewrite (alike_have_the_same_local_shape s t).
-  - exists e. split; trivial. intros r from to. rewrite (alike_have_the_same_local_shape s t) by trivial. auto.
+  - now rewrite (same_local_shape_here s t).
+  - exists e. split; trivial. intros r from to. rewrite (same_local_shape_here s t) by trivial. auto.
   - destruct (a (beside p w i)) as (_ & same_leaves); [| now apply same_leaves].
-    exists p. intros h known. unfold beside. now destruct (at_point p h).
+    intros h known. unfold beside. now destruct (at_point p h).
 Qed.
 
-(* Alike solids have the same faces and the same admissible leaves. *)
-Theorem alike_have_the_same_faces s t p u i : alike somewhere s t ->
+(* Solids alike at p have the same faces there and the same admissible leaves. *)
+Theorem alike_here_have_the_same_faces s t p u i : alike (here p) s t ->
   (bounds s p i <-> bounds t p i) /\ (admissible s p u i <-> admissible t p u i).
 Proof.
   intros a. assert (b := alike_symmetric a).
   assert (faces_ : forall h, bounds s p h <-> bounds t p h) by (intros h; split; now apply no_new_faces).
-  split; [apply faces_ |]. unfold admissible. rewrite (alike_have_the_same_standing_leaves s t p i a), (faces_ i).
+  assert (stand : In i (standing (at_point p) s) <-> In i (standing (at_point p) t)) by (apply a; now intros h _).
+  split; [apply faces_ |]. unfold admissible. rewrite stand, (faces_ i).
   assert (none : (forall h, ~ (bounds s p h /\ counts u h)) <-> (forall h, ~ (bounds t p h /\ counts u h)))
     by (split; intros all_ h; [rewrite <- faces_ | rewrite faces_]; apply all_).
   now rewrite none.
 Qed.
 
+Corollary alike_have_the_same_faces s t p u i : alike somewhere s t ->
+  (bounds s p i <-> bounds t p i) /\ (admissible s p u i <-> admissible t p u i).
+Proof. intros a. now apply alike_here_have_the_same_faces, alike_anywhere_is_alike_here. Qed.
+
 Print Assumptions bounds_along_same_sides.
 Print Assumptions no_new_faces.
+Print Assumptions alike_here_have_the_same_faces.
 Print Assumptions alike_have_the_same_faces.

@@ -28,6 +28,12 @@ CONSTANTS = [
     ("fast/paint.cpp", rf"{HEX} \* \(std::abs\(x\) \+ std::abs\(y\)\)", "range_ends.v", "per_hit"),
     ("fast/paint.cpp", rf"{HEX} \* probe.ends\(\).coordinate_error", "range_ends.v", "per_coordinate_error"),
     ("fast/paint.cpp", rf"coordinate_error \+ {HEX};", "range_ends.v", "floor"),
+    ("fast/crossing_body.hpp", rf"magnitude > {HEX}", "crossing_bound.v", "least_lambda"),
+    ("fast/crossing_body.hpp", rf"size < {HEX}", "crossing_bound.v", "greatest_size"),
+    ("fast/crossing_body.hpp", rf"{HEX} \* \(1 \+ 2 \* magnitude\) \* inverse", "crossing_bound.v", "underflow"),
+    ("fast/box_probe.hpp", rf"pad = {HEX} \* \(std::abs", "box_slabs.v", "delta"),
+    ("fast/box.cpp", rf"tiny = {HEX}", "box.v", "floor"),
+    ("fast/box.cpp", rf"greatest_slack = {HEX}", "box.v", "greatest_slack"),
 ]
 
 # Expressions that the lemmas are about, as they stand in the source: a changed operation needs another proof.
@@ -54,6 +60,32 @@ EXPRESSIONS = [
     ("fast/number_counted.hpp", "std::abs(static_cast<double>(a.value)) * (1 + 0x1p-50) + 2 * a.error();"),
     ("fast/number_counted.hpp", "const double inverse = 1.01 / divisor;"),
     ("fast/number_counted.hpp", "1.01 * std::max(a.size, approximate) / std::sqrt(approximate)"),
+    ("fast/number_pair.hpp", "const double first = a.high / b.high; const PairWith rest = a - first * b;"
+                             " return sorted_sum(first, rest.high / b.high);"),
+    ("fast/number_pair.hpp", "const PairWith rest = a - product(first, first);"
+                             " return sorted_sum(first, rest.high / (2 * first));"),
+    ("fast/pairs.hpp", "const double first = a.high * inverse; const Pair product = Pair::product(first, b.high);"
+                       " const double rest = ((a.high - product.high) - product.low) + (a.low - first * b.low);"
+                       " return Pair::sorted_sum(first, rest * inverse);"),
+    ("fast/pairs.hpp", "const double rest = ((a.high - square.high) - square.low) + a.low;"
+                       " return {Pair::sorted_sum(first, rest * (0.5 * inverse)), inverse};"),
+    ("fast/box_probe.hpp", "const double from = ends.first[axis], way = ends.last[axis] - from;"),
+    ("fast/box_probe.hpp", "(std::abs(from) + std::abs(way)) + 8 * ends.coordinate_error + 1e-20;"),
+    ("fast/box_probe.hpp", "constexpr double shortest_way = 1e-30;"),
+    ("fast/box_probe.hpp", "static_cast<float>(is_ascending ? from + pad : from - pad);"),
+    ("fast/box_probe.hpp", "static_cast<float>(is_ascending ? from - pad : from + pad);"),
+    ("fast/search_kernels_body.hpp", "way.inverse[axis] * (1 + 0x1p-20F)"),
+    ("fast/search_kernels_body.hpp", "near = greater((near_side - at.near_origin) * at.inverse, near);"),
+    ("fast/search_kernels_body.hpp", "far = lesser((far_side - at.far_origin) * at.stretched, far);"),
+    ("fast/search_kernels_body.hpp", "if (meeting.lower > result.upper) return true;"),
+    ("fast/search_kernels_body.hpp", "if (meeting.upper < result.upper) result.upper = meeting.upper;"),
+    ("fast/search.cpp", "if (contender.meeting.lower <= upper) contenders[kept++] = contender;"),
+    ("fast/box.cpp", "bound += 8 * unit * size + tiny;"),
+    ("fast/box.cpp", "best.bound = std::min(best.bound, bound + 2 * unit * magnitude(bound) + tiny);"),
+    ("fast/paint.cpp", "const double at_lower = a + place_.lower * (b - a), at_upper = a + place_.upper * (b - a);"),
+    ("fast/box.cpp", "slack[k] = magnitude(rest[k]) + 8 * unit * rest_size[k] + tiny;"),
+    ("fast/box.cpp", "if (one > 0) limit += one * reach * (1 + 4 * unit); limit += 4 * unit * magnitude(limit);"),
+    ("fast/box.cpp", "const double greatest = sum + 8 * unit * size + tiny;"),
     ("fast/cell.cpp", "const double inverse = 1 / w, middle = delta_at_first * inverse, margin = error * std::abs(inverse);"),
 ]
 

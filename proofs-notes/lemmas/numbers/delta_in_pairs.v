@@ -42,14 +42,15 @@ Let low := fl (fl (fl (r1 + r2) + r3) + fl (fl (rest p1 p2 + rest p3 (- d)) + re
 Definition delta_pair := fl (s2 + low) + rest s2 low.
 Definition delta_size := fl (fl (fl (Rabs p1 + Rabs p2) + Rabs p3) + Rabs d).
 
-Theorem delta_pair_error : Rabs (delta_pair - (n1 * x1 + n2 * x2 + n3 * x3 - d)) <= delta_error_unit * delta_size + 64 * tiny.
+(* How far off the pair is, and how large its parts are. *)
+Lemma delta_parts : Rabs (s2 + low - (n1 * x1 + n2 * x2 + n3 * x3 - d)) <= delta_error_unit * delta_size + 64 * tiny
+  /\ Rabs s2 <= (1 + 7 * u) * delta_size /\ Rabs low <= 7 / 2 * u * delta_size + 32 * tiny.
 Proof.
   pose proof tiny_positive.
   assert (is_double p1) as Dp1 by apply fl_is_double; assert (is_double p2) as Dp2 by apply fl_is_double.
   assert (is_double p3) as Dp3 by apply fl_is_double; assert (is_double (- d)) as Dd' by now apply generic_format_opp.
   assert (is_double s0) as Ds0 by apply fl_is_double; assert (is_double s1) as Ds1 by apply fl_is_double.
   assert (is_double s2) as Ds2 by apply fl_is_double; assert (is_double low) as Dlow by apply fl_is_double.
-  unfold delta_pair; rewrite (two_sum_is_exact s2 low Ds2 Dlow).
   pose proof (two_sum_is_exact p1 p2 Dp1 Dp2) as exact0; fold s0 in exact0.
   pose proof (two_sum_is_exact p3 (- d) Dp3 Dd') as exact1; fold s1 in exact1.
   pose proof (two_sum_is_exact s0 s1 Ds0 Ds1) as exact2; fold s2 in exact2.
@@ -101,9 +102,15 @@ Proof.
     unfold M, u in *; lra. }
   apply within in lost_1; apply within in lost_2; apply within in lost_3.
   assert (0 <= M) by (unfold M; lra).
-  apply Rabs_le; unfold delta_error_unit, u in *; lra.
+  split; [| split]; apply Rabs_le; unfold delta_error_unit, M, u in *; lra.
+Qed.
+
+Theorem delta_pair_error : Rabs (delta_pair - (n1 * x1 + n2 * x2 + n3 * x3 - d)) <= delta_error_unit * delta_size + 64 * tiny.
+Proof.
+  unfold delta_pair. rewrite (two_sum_is_exact s2 low (fl_is_double _) (fl_is_double _)). apply delta_parts.
 Qed.
 
 End Delta.
 
+Print Assumptions delta_parts.
 Print Assumptions delta_pair_error.

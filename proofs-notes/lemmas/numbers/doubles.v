@@ -47,6 +47,14 @@ Proof.
   apply Rle_trans with (1 := He); unfold u_ro, u; simpl; lra.
 Qed.
 
+Lemma sum_error_of_rounded : forall x y, is_double x -> is_double y -> Rabs (fl (x + y) - (x + y)) <= u * Rabs (fl (x + y)).
+Proof.
+  intros x y Dx Dy. destruct (FLT_plus_error_N_round_ex radix2 (-1074) 53 (fun z => negb (Z.even z)) x y Dx Dy) as (e & small & exact).
+  fold (fl (x + y)) in exact. rewrite exact at 2.
+  replace (fl (x + y) - fl (x + y) * (1 + e)) with (- e * fl (x + y)) by ring. rewrite Rabs_mult, Rabs_Ropp.
+  apply Rmult_le_compat_r; [apply Rabs_pos |]. apply Rle_trans with (1 := small). unfold u_ro, u; simpl; lra.
+Qed.
+
 Lemma within : forall x a, Rabs x <= a -> - a <= x <= a.
 Proof. intros x a; unfold Rabs; destruct (Rcase_abs x); lra. Qed.
 Lemma magnitude : forall x, - Rabs x <= x <= Rabs x.
@@ -83,6 +91,7 @@ Qed.
 
 Print Assumptions fl_error.
 Print Assumptions sum_error.
+Print Assumptions sum_error_of_rounded.
 Print Assumptions sum_near.
 Print Assumptions product_at_least.
 Print Assumptions sum_at_least.

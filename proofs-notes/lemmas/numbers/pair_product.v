@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core Mult_error.
-From Groundtruth Require Import doubles.
+From Groundtruth Require Import doubles pair_sum.
 Open Scope R_scope.
 
 (* What FusedProducts::lost gives: exact, or off by three underflows. *)
@@ -69,7 +69,65 @@ Proof.
   apply Rabs_le; unfold u in *; lra.
 Qed.
 
+(* Made tidy: operator*. *)
+Let h := fl (ah * bh).
+Let high := fl (h + l).
+Let low := fl (l - fl (high - h)).
+
+Theorem pair_product_error :
+  Rabs (high + low - (ah + al) * (bh + bl)) <= pair_unit * (Rabs (ah + al) * Rabs (bh + bl)) + 40 * tiny.
+Proof.
+  pose proof tiny_positive. pose proof loose_product_error as loose. fold h in loose.
+  pose proof (tidy_error h l (fl_is_double _) (fl_is_double _)) as near; fold high low in near.
+  set (P := Rabs ah * Rabs bh) in *. assert (0 <= P) by (apply Rmult_le_pos; apply Rabs_pos).
+  assert (pair_unit = 16 * u * u) as -> by (unfold pair_unit, u; simpl; lra).
+  assert (P * (1 - 3 * u) <= Rabs (ah + al) * Rabs (bh + bl)) as size.
+  { assert (Rabs ah * (1 - u) <= Rabs (ah + al)).
+    { assert (Rabs ah <= Rabs (ah + al) + Rabs al)
+        by (replace ah with (ah + al + - al) at 1 by ring; rewrite <- (Rabs_Ropp al); apply Rabs_triang). lra. }
+    assert (Rabs bh * (1 - u) <= Rabs (bh + bl)).
+    { assert (Rabs bh <= Rabs (bh + bl) + Rabs bl)
+        by (replace bh with (bh + bl + - bl) at 1 by ring; rewrite <- (Rabs_Ropp bl); apply Rabs_triang). lra. }
+    apply Rle_trans with (Rabs ah * (1 - u) * (Rabs bh * (1 - u))).
+    - replace (Rabs ah * (1 - u) * (Rabs bh * (1 - u))) with (P * (1 - 2 * u + u * u)) by (unfold P; ring).
+      apply Rmult_le_compat_l; [assumption | unfold u; lra].
+    - pose proof (Rabs_pos ah). pose proof (Rabs_pos bh).
+      apply Rmult_le_compat; trivial; apply Rmult_le_pos; trivial; unfold u; lra. }
+  assert (u * u * (P * (1 - 3 * u)) <= u * u * (Rabs (ah + al) * Rabs (bh + bl))) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+  pose proof (fl_error (ah * bh)) as h_near; fold h in h_near. rewrite Rabs_mult in h_near; fold P in h_near.
+  assert (Rabs (h + l) <= Rabs (ah + al) * Rabs (bh + bl) + (9 * u * u * P + 32 * tiny)).
+  { replace (h + l) with ((ah + al) * (bh + bl) + (h + l - (ah + al) * (bh + bl))) by ring.
+    apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_mult. lra. }
+  assert (Rabs (ah + al) * Rabs (bh + bl) <= P * (1 + 3 * u)) as size'.
+  { assert (Rabs (ah + al) <= Rabs ah * (1 + u)) by (apply Rle_trans with (1 := Rabs_triang _ _); lra).
+    assert (Rabs (bh + bl) <= Rabs bh * (1 + u)) by (apply Rle_trans with (1 := Rabs_triang _ _); lra).
+    apply Rle_trans with (Rabs ah * (1 + u) * (Rabs bh * (1 + u))); [apply Rmult_le_compat; trivial; apply Rabs_pos |].
+    replace (Rabs ah * (1 + u) * (Rabs bh * (1 + u))) with (P * (1 + 2 * u + u * u)) by (unfold P; ring).
+    apply Rmult_le_compat_l; [assumption | unfold u; lra]. }
+  destruct (Rle_or_lt (Rabs l) (Rabs h)) as [ordered | tiny_one].
+  - pose proof (tidy_is_exact h l (fl_is_double _) (fl_is_double _) ordered) as exact. fold high low in exact. rewrite exact.
+    apply Rle_trans with (1 := loose). unfold u in *; lra.
+  - (* only where nearly everything underflows *)
+    apply within in h_near.
+    assert (Rabs h >= P - u * P - tiny).
+    { assert (P <= Rabs h + Rabs (h - ah * bh)).
+      { unfold P. rewrite <- Rabs_mult, (Rabs_minus_sym h). replace (ah * bh) with (h + (ah * bh - h)) at 1 by ring. apply Rabs_triang. }
+      assert (Rabs (h - ah * bh) <= u * P + tiny) by (apply Rabs_le; lra). lra. }
+    assert (Rabs l <= Rabs (h + l - (ah + al) * (bh + bl)) + Rabs ((ah + al) * (bh + bl) - h)).
+    { replace l with ((h + l - (ah + al) * (bh + bl)) + ((ah + al) * (bh + bl) - h)) at 1 by ring. apply Rabs_triang. }
+    assert (Rabs ((ah + al) * (bh + bl) - h) <= 4 * u * P + 2 * tiny) as off.
+    { replace ((ah + al) * (bh + bl) - h) with (ah * bl + al * bh + al * bl - (h - ah * bh)) by ring.
+      assert (Rabs (ah * bl) <= u * P) as z1 by (rewrite Rabs_mult; replace (u * P) with (Rabs ah * (u * Rabs bh)) by (unfold P; ring); apply Rmult_le_compat_l; [apply Rabs_pos | assumption]).
+      assert (Rabs (al * bh) <= u * P) as z2 by (rewrite Rabs_mult; replace (u * P) with (u * Rabs ah * Rabs bh) by (unfold P; ring); apply Rmult_le_compat_r; [apply Rabs_pos | assumption]).
+      assert (Rabs (al * bl) <= u * u * P) as z3 by (rewrite Rabs_mult; replace (u * u * P) with (u * Rabs ah * (u * Rabs bh)) by (unfold P; ring); apply Rmult_le_compat; trivial; apply Rabs_pos).
+      apply within in z1; apply within in z2; apply within in z3. apply Rabs_le. unfold u in *; lra. }
+    assert (Rabs (high + low - (ah + al) * (bh + bl)) <= Rabs (high + low - (h + l)) + Rabs (h + l - (ah + al) * (bh + bl))).
+    { replace (high + low - (ah + al) * (bh + bl)) with ((high + low - (h + l)) + (h + l - (ah + al) * (bh + bl))) by ring. apply Rabs_triang. }
+    unfold u in *; lra.
+Qed.
+
 End Product.
 
 Print Assumptions fused_rest.
 Print Assumptions loose_product_error.
+Print Assumptions pair_product_error.

@@ -23,6 +23,52 @@ Proof.
     ties_are_symmetric a b Da Db).
 Qed.
 
+(* Tidy: off by at most u of the low part and second order, whatever the order of |s| and |l|. *)
+Section Tidy.
+
+Variables s l : R.
+Hypotheses (Ds : is_double s) (Dl : is_double l).
+Let high := fl (s + l).
+Let low := fl (l - fl (high - s)).
+
+Lemma tidy_is_exact : Rabs l <= Rabs s -> high + low = s + l.
+Proof.
+  intros ordered. assert (high + fl (l + fl (s - high)) = s + l) as exact
+    by exact (Fast2Sum_correct (-1074) 53 (fun z => negb (Z.even z)) ltac:(easy) ltac:(easy)
+      ties_are_symmetric s l Ds Dl ordered).
+  assert (low = fl (l + fl (s - high))) as same.
+  { unfold low; f_equal; replace (s - high) with (- (high - s)) by ring.
+    unfold fl at 2; rewrite round_NE_opp; fold (fl (high - s)); ring. }
+  now rewrite same.
+Qed.
+
+Lemma tidy_error : Rabs (high + low - (s + l)) <= 3 * u * Rabs l.
+Proof.
+  assert (is_double high) as Dh by apply fl_is_double.
+  destruct (Rle_or_lt (Rabs l) (Rabs s)) as [ordered | not_ordered].
+  - rewrite (tidy_is_exact ordered), Rminus_diag_eq, Rabs_R0 by reflexivity.
+    pose proof (Rabs_pos l); unfold u; lra.
+  - pose proof (sum_error s l Ds Dl) as high_near; fold high in high_near.
+    assert (is_double (- s)) as Ds' by now apply generic_format_opp.
+    pose proof (sum_error high (- s) Dh Ds') as z_near; change (high + - s) with (high - s) in z_near.
+    set (z := fl (high - s)) in *.
+    assert (is_double (- z)) as Dz by (apply generic_format_opp, fl_is_double).
+    pose proof (sum_error l (- z) Dl Dz) as low_near; change (l + - z) with (l - z) in low_near; fold low in low_near.
+    pose proof (Rabs_pos l); pose proof (magnitude l); pose proof (magnitude s).
+    assert (Rabs (s + l) <= 2 * Rabs l) as size by (apply Rabs_le; lra).
+    assert (u * Rabs (s + l) <= u * (2 * Rabs l)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+    apply within in high_near.
+    assert (Rabs (high - s) <= (1 + 2 * u) * Rabs l) as step by (apply Rabs_le; lra).
+    assert (u * Rabs (high - s) <= u * ((1 + 2 * u) * Rabs l)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+    apply within in z_near.
+    assert (Rabs (l - z) <= (3 * u + 2 * u * u) * Rabs l + 0) as last by (apply Rabs_le; lra).
+    assert (u * Rabs (l - z) <= u * ((3 * u + 2 * u * u) * Rabs l + 0))
+      by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
+    apply within in low_near; apply Rabs_le; unfold u in *; lra.
+Qed.
+
+End Tidy.
+
 Section Sum.
 
 Variables ah al bh bl : R.
@@ -64,46 +110,14 @@ Proof.
   apply Rabs_le; lra.
 Qed.
 
-(* Tidy: off by at most u of the low part and second order, whatever the order of |s| and |l|. *)
 Let high := fl (s + l).
 Let low := fl (l - fl (high - s)).
-
-Lemma tidy_error : Rabs (high + low - (s + l)) <= 3 * u * Rabs l.
-Proof.
-  assert (is_double s) as Ds by apply fl_is_double; assert (is_double l) as Dl by apply fl_is_double.
-  assert (is_double high) as Dh by apply fl_is_double.
-  destruct (Rle_or_lt (Rabs l) (Rabs s)) as [ordered | not_ordered].
-  - assert (high + fl (l + fl (s - high)) = s + l) as exact
-      by exact (Fast2Sum_correct (-1074) 53 (fun z => negb (Z.even z)) ltac:(easy) ltac:(easy)
-        ties_are_symmetric s l Ds Dl ordered).
-    assert (low = fl (l + fl (s - high))) as same.
-    { unfold low; f_equal; replace (s - high) with (- (high - s)) by ring.
-      unfold fl at 2; rewrite round_NE_opp; fold (fl (high - s)); ring. }
-    rewrite same, exact, Rminus_diag_eq, Rabs_R0 by reflexivity.
-    pose proof (Rabs_pos l); unfold u; lra.
-  - pose proof (sum_error s l Ds Dl) as high_near; fold high in high_near.
-    assert (is_double (- s)) as Ds' by now apply generic_format_opp.
-    pose proof (sum_error high (- s) Dh Ds') as z_near; change (high + - s) with (high - s) in z_near.
-    set (z := fl (high - s)) in *.
-    assert (is_double (- z)) as Dz by (apply generic_format_opp, fl_is_double).
-    pose proof (sum_error l (- z) Dl Dz) as low_near; change (l + - z) with (l - z) in low_near; fold low in low_near.
-    pose proof (Rabs_pos l); pose proof (magnitude l); pose proof (magnitude s).
-    assert (Rabs (s + l) <= 2 * Rabs l) as size by (apply Rabs_le; lra).
-    assert (u * Rabs (s + l) <= u * (2 * Rabs l)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
-    apply within in high_near.
-    assert (Rabs (high - s) <= (1 + 2 * u) * Rabs l) as step by (apply Rabs_le; lra).
-    assert (u * Rabs (high - s) <= u * ((1 + 2 * u) * Rabs l)) by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
-    apply within in z_near.
-    assert (Rabs (l - z) <= (3 * u + 2 * u * u) * Rabs l + 0) as last by (apply Rabs_le; lra).
-    assert (u * Rabs (l - z) <= u * ((3 * u + 2 * u * u) * Rabs l + 0))
-      by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
-    apply within in low_near; apply Rabs_le; unfold u in *; lra.
-Qed.
 
 Theorem pair_sum_error :
   Rabs (high + low - (ah + al + (bh + bl))) <= pair_unit * (Rabs (ah + al) + Rabs (bh + bl)).
 Proof.
-  pose proof loose_sum_error as loose; pose proof tidy_error as tidy; pose proof low_part_size as size.
+  pose proof loose_sum_error as loose;
+  pose proof (tidy_error s l (fl_is_double _) (fl_is_double _)) as tidy; fold high low in tidy; pose proof low_part_size as size.
   assert (pair_unit = 16 * u * u) as -> by (unfold pair_unit, u; simpl; lra).
   assert (u * Rabs l <= u * ((2 * u + 4 * u * u) * (Rabs ah + Rabs bh)))
     by (apply Rmult_le_compat_l; [unfold u; lra | assumption]).
@@ -119,5 +133,7 @@ Qed.
 End Sum.
 
 Print Assumptions two_sum_is_exact.
+Print Assumptions tidy_is_exact.
+Print Assumptions tidy_error.
 Print Assumptions loose_sum_error.
 Print Assumptions pair_sum_error.

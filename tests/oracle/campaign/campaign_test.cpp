@@ -57,6 +57,12 @@ TEST(Campaign, PutsEveryAskOnce) {
   EXPECT_EQ(tallies[1].asks(), 600U);
 }
 
+TEST(Campaign, CountsWhatASlowEngineIsSpared) {
+  const Tally tally = against_exact(plan_of("ramp", "definition"));
+  EXPECT_GT(tally.left_out(), 0U);
+  EXPECT_EQ(tally.asks() + tally.left_out(), 600U);
+}
+
 TEST(Campaign, AnExampleCanBeAskedAgain) {
   const Plan plan = plan_of("house", "as-written:band-test-wheel-x");
   const Tally tally = against_exact(plan);
