@@ -1,5 +1,6 @@
-// landings COUNT [SEED]: so many random landings of each kind; the largest energy that a step made, in parts
-// of m g 1 m. `landings 1 S`, with the seed that a line ends with, lands the worst of its kind again.
+// landings COUNT [SEED [INTEGRATOR]]: so many random landings of each kind; the largest energy that a step
+// made, in parts of m g 1 m. `landings 1 S`, with the seed that a line ends with, lands the worst of its kind
+// again.
 
 #include <algorithm>
 #include <cstdlib>
@@ -53,12 +54,15 @@ void land(const rig::LandingKind& kind, std::uint64_t count, std::uint64_t first
 int main(int argc, char** argv) {
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  const auto only = argc > 3 ? rig::integrator_named(argv[3]) : std::nullopt;
   fmt::print("{:<14}{:>6} {:<15}{:>9}{:>10}{:>7}{:>9}{:>9}{:>12}{:>12}{:>9}\n", "integrator", "wheels",
              "relocation", "landings", "steps", "broke", "unsolved", "> 1e-12", "worst rise", "past border",
              "seed");
   for (const auto integrator :
-       {rig::Integrator::implicit, rig::Integrator::semi_implicit, rig::Integrator::half_kick})
+       {rig::Integrator::implicit, rig::Integrator::semi_implicit, rig::Integrator::half_kick}) {
+    if (only && integrator != *only) continue;
     for (const auto relocation : {Relocation::return_mapping, Relocation::spring})
       for (const auto wheels : {stability::Wheels::one, stability::Wheels::three})
         land({wheels, integrator, relocation}, count, seed);
+  }
 }

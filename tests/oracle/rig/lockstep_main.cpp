@@ -1,6 +1,6 @@
-// lockstep [STEPS [WHEEL_STEPS [SEED]]]: `exact` and `fast` in lockstep, over every built-in scenario with each
-// integrator and relocation, for STEPS steps (15,000) or to its end; then over random scenarios until so many
-// wheel steps (300,000) have been compared. Exit 1 on any difference.
+// lockstep [STEPS [WHEEL_STEPS [SEED]]]: `exact` and `fast` in lockstep, over every built-in scenario with
+// each integrator and relocation, for STEPS steps (15,000) or to its end; then over random scenarios until so
+// many wheel steps (300,000) have been compared. Exit 1 on any difference.
 
 #include <algorithm>
 #include <cmath>
