@@ -8,9 +8,10 @@
 namespace groundtruth::stability {
 namespace {
 
-// A run that stopped without a reason, or went on with numbers that are none.
+// A run that stopped without a reason, or went on with numbers that are none, or friction beyond its border.
 bool is_unsound(const Ordeal& ordeal, std::uint64_t steps) {
-  return !ordeal.all_is_finite || (ordeal.halt == rig::Halt::none && ordeal.steps != steps) ||
+  return !ordeal.all_is_finite || ordeal.border_violation > 1e-9 ||
+         (ordeal.halt == rig::Halt::none && ordeal.steps != steps) ||
          (ordeal.halt == rig::Halt::refused && ordeal.reason.empty());
 }
 
@@ -22,6 +23,19 @@ TEST(Extremes, EveryStepIsDoneWithFiniteNumbersOrSaysWhyNot) {
 TEST(Extremes, SoDoRandomOnes) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed)
     EXPECT_FALSE(is_unsound(ordeal_of(random_extreme(seed), 40), 40)) << seed;
+}
+
+// One wheel stands where the slope is less than the tyre's upright limit, 10, and not where it is more.
+TEST(Extremes, TheUprightLimitIsReached) {
+  int ran = 0, too_steep = 0;
+  for (const Extreme& extreme : chosen_extremes()) {
+    if (extreme.scenario.machine.wheels.size() != 1) continue;
+    const rig::Halt halt = ordeal_of(extreme, 2).halt;
+    ran += extreme.name == "slope 9.99 under a level machine" && halt == rig::Halt::none;
+    too_steep += extreme.name == "slope 10.01 under a level machine" && halt == rig::Halt::surface_too_steep;
+  }
+  EXPECT_EQ(ran, 6);
+  EXPECT_EQ(too_steep, 6);
 }
 
 TEST(StabilityMap, ExplicitIntegratorsStandStillBelowTheLimit) {
