@@ -15,7 +15,8 @@ using stability::Cell;
 using stability::Fate;
 using stability::Grid;
 
-constexpr double panel_width = 380, panel_height = 150, gap_x = 60, gap_y = 62, margin = 60, top = 70;
+constexpr double panel_width = 380, panel_height = 150, gap_x = 60, gap_y = 64, margin = 60, top = 112,
+                 bottom = 76;
 constexpr std::array<const char*, 6> colours{"#2a9d5c", "#a8dbb8", "#f2c14e",
                                              "#e8743b", "#8c1c2e", "#8d99ae"};
 
@@ -47,15 +48,24 @@ class Panel {
   double left_, upper_;
 };
 
+// 0.01, 0.1, 1, 10, then 10² and so on: side by side, long numbers would run into each other.
+std::string power_of_ten(int exponent) {
+  constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  if (exponent < 2 || exponent > 9) return fmt::format("{:g}", std::pow(10, exponent));
+  return fmt::format("10{}", digits[static_cast<std::size_t>(exponent)]);
+}
+
 void label_axes(const Grid& grid, const Panel& panel, Svg& svg) {
   const double below = panel.upper() + panel_height;
-  for (double power = std::ceil(std::log10(grid.h_omegas.front()) - 1e-9);
-       power <= std::log10(grid.h_omegas.back()) + 1e-9; ++power) {
-    const double x = panel.x_of_value(std::pow(10, power));
+  const int first = static_cast<int>(std::ceil(std::log10(grid.h_omegas.front()) - 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(grid.h_omegas.back()) + 1e-9));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const double x = panel.x_of_value(std::pow(10, exponent));
     svg.polyline({{x, below}, {x, below + 4}});
-    svg.text(x, below + 17, Anchor::middle, fmt::format("{:g}", std::pow(10, power)));
+    svg.text(x, below + 17, Anchor::middle, power_of_ten(exponent));
   }
-  svg.text(panel.left() + panel_width / 2, below + 31, Anchor::middle, "h omega");
+  svg.text(panel.left() + panel_width, below + 33, Anchor::end, "hω →");
+  svg.text(panel.left() - 6, panel.upper() - 8, Anchor::end, "ζ ↑");
   for (std::size_t row = 0; row < grid.damping_ratios.size(); ++row)
     svg.text(panel.left() - 6, panel.y_of(row) + panel.height() / 2 + 4, Anchor::end,
              fmt::format("{:g}", grid.damping_ratios[row]));
@@ -87,22 +97,49 @@ void draw_row(const std::vector<Cell>& cells, std::size_t first, std::size_t col
 void draw_legend(Svg& svg) {
   double x = margin;
   for (std::size_t i = 0; i < colours.size(); ++i) {
-    svg.rectangle(x, 32, 14, 14, colours[i]);
-    svg.text(x + 20, 44, Anchor::start, std::string(stability::name_of(static_cast<Fate>(i))));
-    x += 130;
+    svg.rectangle(x, 60, 14, 14, colours[i]);
+    svg.text(x + 20, 72, Anchor::start, std::string(stability::name_of(static_cast<Fate>(i))));
+    x += 125;
   }
-  svg.polyline({{x, 39}, {x + 24, 39}});
-  svg.text(x + 30, 44, Anchor::start, "2 (sqrt(1 + zeta^2) - zeta) of the fastest mode");
+  svg.polyline({{x + 10, 67}, {x + 34, 67}});
+  svg.text(x + 40, 72, Anchor::start, "explicit limit by theory, hω = 2 (√(1 + z²) − z) / ρ");
+}
+
+void explain_above(const Grid& grid, Svg& svg) {
+  svg.text(
+      margin, 20, Anchor::start,
+      fmt::format("A braked machine of 1,200 kg parked on a slope of {:g} %, {} steps: what became of it, "
+                  "for each integrator, number of wheels and relocation",
+                  100 * grid.slope, grid.steps));
+  svg.text(margin, 40, Anchor::start,
+           "hω: a step's length times √(sum of k / mass), the stiffness in steps. ζ: damping ratio, d / (2 "
+           "√(k m)). "
+           "Up to hω = 1/3, ω = 20 rad/s; from there on, h = 1/60 s.");
+}
+
+void explain_below(double y, Svg& svg) {
+  svg.text(margin, y, Anchor::start,
+           "settled: no pebble moves by a bit, the body is at rest or slows down. swinging: the body does "
+           "not slow "
+           "down. creeping: pebbles move. chattering: wheels leave the ground.");
+  svg.text(
+      margin, y + 20, Anchor::start,
+      "blown up: energy rose by 0.1 m g · 1 m. gave a reason: a step said that it cannot be done. ρω: the "
+      "fastest mode (1 wheel: ρ = 1), z = ρζ its damping.");
+  svg.text(
+      margin, y + 40, Anchor::start,
+      "The implicit integrator has no limit by theory; from hω of about 10⁴ on, dampers turn the rounding of "
+      "coordinates into more force than the machine's weight.");
 }
 
 }  // namespace
 
 std::string svg_of(const Grid& grid, const std::vector<Cell>& cells) {
   const std::size_t columns = grid.h_omegas.size(), rows = grid.damping_ratios.size();
-  Svg svg(2 * margin + 3 * panel_width + 2 * gap_x, top + 4 * (panel_height + gap_y),
+  const double height = top + 4 * (panel_height + gap_y) + bottom;
+  Svg svg(2 * margin + 3 * panel_width + 2 * gap_x, height,
           "Maps of what became of parked machines: the numbers are those of groundtruth stability --csv");
-  svg.text(margin, 20, Anchor::start,
-           fmt::format("Parked on a slope of {:g} %: damping ratio (up) over h omega", 100 * grid.slope));
+  explain_above(grid, svg);
   draw_legend(svg);
   for (std::size_t number = 0; number * columns * rows < cells.size(); ++number) {
     const Panel panel(grid, number);
@@ -114,6 +151,7 @@ std::string svg_of(const Grid& grid, const std::vector<Cell>& cells) {
     label_axes(grid, panel, svg);
     if (parked.integrator != rig::Integrator::implicit) draw_limit(grid, panel, parked.wheels, svg);
   }
+  explain_below(height - bottom + 16, svg);
   return svg.finished();
 }
 

@@ -30,7 +30,7 @@ struct Friction2 {
 };
 
 Friction2 nearest_friction(const Eigen::Vector2d& asked, double disc, double brake) {
-  const double length = asked.norm();
+  const double length = std::hypot(asked.x(), asked.y());  // squares of tiny forces would vanish
   if (std::abs(asked.x()) <= brake && length <= disc)
     return {asked, Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero()};
   const double x = std::copysign(brake, asked.x());

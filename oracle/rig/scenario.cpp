@@ -39,4 +39,10 @@ bool Inputs::are_constant() const {
          all(gravity_in_world);
 }
 
+MotionState Scenario::state_at_start() const {
+  MotionState state{start, start_wheels, 0};
+  state.wheels.resize(machine.wheels.size(), Free{});
+  return state;
+}
+
 }  // namespace groundtruth::rig

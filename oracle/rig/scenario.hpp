@@ -43,6 +43,8 @@ struct Scenario {
   Integrator integrator = Integrator::semi_implicit;
   double h = 1.0 / 240;  // s
   double duration = 10;  // s
+
+  MotionState state_at_start() const;
 };
 
 }  // namespace groundtruth::rig

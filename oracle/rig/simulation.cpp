@@ -54,12 +54,6 @@ double work_of(const Controls& controls, const BodyState& before, const BodyStat
   return work + (rotation_of(before.world_from_body) * controls.thrust_in_body).dot(moved);
 }
 
-MotionState start_of(const Scenario& scenario) {
-  MotionState state{scenario.start, scenario.start_wheels, 0};
-  state.wheels.resize(scenario.machine.wheels.size(), Free{});
-  return state;
-}
-
 class Player {
  public:
   Player(const Scenario& scenario, const implementations::EngineOnScene& ground,
@@ -71,7 +65,7 @@ class Player {
         are_inputs_constant_(scenario.inputs.are_constant()),
         controls_(scenario.inputs.at(0)),
         steps_(static_cast<std::uint64_t>(std::llround(scenario.duration / scenario.h))),
-        state_(start_of(scenario)),
+        state_(scenario.state_at_start()),
         middle_(state_),
         energy_(energy_of(scenario.machine, ground, state_, controls_)) {}
 

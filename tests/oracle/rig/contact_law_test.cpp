@@ -85,6 +85,12 @@ TEST(BorderViolation, IsInPartsOfTheLoad) {
   EXPECT_EQ(border_violation({3, 4, 10}, up, {0, 0}), 0) << "no load";
 }
 
+TEST(ContactLaw, ForcesWhoseSquaresUnderflowAreBorneWithinTheDiscToo) {
+  const Eigen::Vector3d force = borne({-5e-297, 1e-297, -6e-312}, {0.5, 1e6}).force;
+  EXPECT_NEAR(std::hypot(force.x(), force.y()) / 3e-312, 1, 1e-9);
+  EXPECT_LT(force.x(), 0);
+}
+
 // In a fast slide: the pebble lies half a metre behind, and the body pitches, rolls and yaws a little.
 RC_GTEST_PROP(ContactLaw, ItsSlopeIsThatOfItsDifferences, ()) {
   constexpr double h = 1.0 / 60, width = 1e-6;

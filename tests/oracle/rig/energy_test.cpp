@@ -32,7 +32,7 @@ TEST(Energy, AStrutThatLetGoCountsAsOneThatStands) {
   EXPECT_EQ(energy(2, Free{}), 2 * weight) << "out of reach";
 }
 
-// Proved for one wheel that does not turn only (proofs-notes/rig.md, 2). Of three, 0.6 m g 1 m was seen:
+// Proved for one wheel that does not turn only (proofs-notes/rig.md, 2). Of three, 10 m g 1 m was seen:
 // their struts lean against the ground, see KnownFalse.
 RC_GTEST_PROP(Energy, NeverRisesInAnImplicitStepWithReturnMapping, ()) {
   const LandingKind kind{stability::Wheels::one, Integrator::implicit, Relocation::return_mapping};

@@ -10,41 +10,43 @@
 namespace groundtruth::rig {
 namespace {
 
-// Answers what `exact` says, and holds `fast` against it.
+// Answers what `exact` says, and holds the other engine against it.
 class Pair : public implementations::EngineOnScene {
  public:
-  Pair(const Scene& scene, Lockstep& lockstep)
+  Pair(const Scene& scene, const std::string& engine, Lockstep& lockstep)
       : scene_(scene),
         exact_(implementations::make_engine("exact")->on(scene)),
-        fast_(implementations::make_engine("fast")->on(scene)),
+        other_(implementations::make_engine(engine)->on(scene)),
         lockstep_(lockstep) {}
 
   implementations::Answered answer(const Ask& ask) const override {
     implementations::Answered expected = exact_->answer(ask);
-    const implementations::Answered got = fast_->answer(ask);
-    compare(std::get<StepAnswer>(got.answer), std::get<StepAnswer>(expected.answer), ask);
+    const implementations::Answered got = other_->answer(ask);
+    if (const auto* step = std::get_if<StepAnswer>(&expected.answer)) count(*step);
+    compare(got.answer, expected.answer, ask);
     return expected;
   }
 
  private:
-  void compare(const StepAnswer& got, const StepAnswer& expected, const Ask& ask) const {
+  void count(const StepAnswer& expected) const {
     ++lockstep_.wheel_steps;
-    if (const auto* stepped = std::get_if<Stepped>(&expected)) {
-      const auto* contact = std::get_if<Contact>(&stepped->state);
-      if (contact != nullptr && contact->grip == Grip::slip) ++lockstep_.slip_steps;
-    }
+    const auto* stepped = std::get_if<Stepped>(&expected);
+    const auto* contact = stepped == nullptr ? nullptr : std::get_if<Contact>(&stepped->state);
+    if (contact != nullptr && contact->grip == Grip::slip) ++lockstep_.slip_steps;
+  }
+
+  void compare(const Answer& got, const Answer& expected, const Ask& ask) const {
     if (got == expected) return;
     ++lockstep_.differences;
     const Evidence none;
-    const Answer left = got, right = expected;
-    lockstep_.worst_force_ulps =
-        std::max(lockstep_.worst_force_ulps, judge::compare({left, none}, {right, none}).vector_ulps);
+    const judge::Comparison comparison = judge::compare({got, none}, {expected, none});
+    lockstep_.worst_ulps = std::max(lockstep_.worst_ulps, comparison.vector_ulps);
     if (lockstep_.first_difference.empty())
       lockstep_.first_difference = write_scene_line(scene_) + "\n" + write_ask("\"differs\"", ask);
   }
 
   const Scene& scene_;
-  std::unique_ptr<const implementations::EngineOnScene> exact_, fast_;
+  std::unique_ptr<const implementations::EngineOnScene> exact_, other_;
   Lockstep& lockstep_;
 };
 
@@ -54,18 +56,30 @@ void Lockstep::add(const Lockstep& other) {
   wheel_steps += other.wheel_steps;
   slip_steps += other.slip_steps;
   differences += other.differences;
-  worst_force_ulps = std::max(worst_force_ulps, other.worst_force_ulps);
+  worst_ulps = std::max(worst_ulps, other.worst_ulps);
   if (first_difference.empty()) first_difference = other.first_difference;
 }
 
-Lockstep lockstep_of(const Scenario& scenario, int steps) {
+Lockstep lockstep_of(const Scenario& scenario, int steps, const std::string& engine) {
   Lockstep lockstep;
-  const Pair pair(scenario.scene, lockstep);
+  const Pair pair(scenario.scene, engine, lockstep);
   Motion motion(scenario.machine, pair, scenario.integrator, scenario.h);
-  MotionState state{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0};
+  MotionState state = scenario.state_at_start();
   for (int i = 0; i < steps; ++i)
     if (motion.advance(state, scenario.inputs.at(i * scenario.h)).halt != Halt::none) break;
   return lockstep;
+}
+
+std::vector<Scenario> variants_of(const Scenario& scenario) {
+  std::vector<Scenario> variants;
+  for (const auto integrator : {Integrator::semi_implicit, Integrator::half_kick, Integrator::implicit})
+    for (const auto relocation : {Relocation::spring, Relocation::return_mapping}) {
+      Scenario variant = scenario;
+      variant.integrator = integrator;
+      for (MountedWheel& mounted : variant.machine.wheels) mounted.wheel.relocation = relocation;
+      variants.push_back(std::move(variant));
+    }
+  return variants;
 }
 
 }  // namespace groundtruth::rig

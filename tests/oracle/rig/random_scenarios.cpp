@@ -235,7 +235,7 @@ MotionState in_units(const MotionState& state, const Units& units) {
 std::vector<MotionState> run_of(const Scenario& scenario, const std::string& engine, int steps) {
   const auto ground = implementations::make_engine(engine)->on(scenario.scene);
   Motion motion(scenario.machine, *ground, scenario.integrator, scenario.h);
-  MotionState state{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0};
+  MotionState state = scenario.state_at_start();
   std::vector<MotionState> states;
   for (int i = 0; i < steps; ++i) {
     const Controls controls = scenario.inputs.at(i * scenario.h);

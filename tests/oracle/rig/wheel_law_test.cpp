@@ -101,7 +101,7 @@ void obeys(const std::string& engine, int steps) {
   const Scenario scenario = random_scenario(dice);
   const Lawful ground(engine, scenario.scene);
   Motion motion(scenario.machine, ground, scenario.integrator, scenario.h);
-  MotionState state{scenario.start, std::vector<WheelState>(scenario.machine.wheels.size(), Free{}), 0};
+  MotionState state = scenario.state_at_start();
   for (int i = 0; i < steps; ++i)
     if (motion.advance(state, scenario.inputs.at(i * scenario.h)).halt != Halt::none) return;
 }
