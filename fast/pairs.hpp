@@ -53,7 +53,7 @@ Vector3<Pair> cross(const Vector3<A>& a, const Vector3<B>& b) {
           determinant<Pair>(a[0], b[1], a[1], b[0])};
 }
 
-// a / b by an approximate 1 / b that is within 2^-50 of it: within 2^-99 of its result (lemma quick-quotient,
+// a / b by an approximate 1 / b that is within 2^-50 of it: within 2^-98 of its result (lemma quick-quotient,
 // section 9).
 template <class Pair>
 Pair quotient(const Pair& a, const Pair& b, double inverse) {
