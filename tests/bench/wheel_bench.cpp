@@ -1,4 +1,5 @@
-// Clips and steps: kinds of asks x engines, one thread. Times are per ask.
+// Clips and steps: kinds of asks x engines, one thread. Times are per ask; "quick" is the part of the asks
+// that fast decides in doubles.
 
 #include <algorithm>
 #include <memory>
@@ -12,7 +13,9 @@
 #include <groundtruth/exact/clip.hpp>
 #include <groundtruth/exact/step.hpp>
 #include <groundtruth/fast/clip.hpp>
+#include <groundtruth/fast/clip_decided.hpp>
 #include <groundtruth/fast/step.hpp>
+#include <groundtruth/fast/step_decided.hpp>
 #include <groundtruth/tests/fast/shapes.hpp>
 
 namespace groundtruth::bench {
@@ -30,24 +33,32 @@ class Chooser {
   std::mt19937_64 engine_{1};
 };
 
-// What a brake and a force along and across the surface lead to, under a load of 10 kN and friction 0.5.
+// What a brake and a force along and across the surface lead to, under a load of 10 kN.
 struct Pull {
   std::string name;
   double along, across, brake;  // N
+  double friction = 0.5;
 };
 const std::vector<Pull> pulls{{"stick", 1e3, 1e3, 1e4},
                               {"slip-1-band-edge", 2e3, 1e3, 500},
                               {"slip-2-corner", 6e4, 6e3, 500},
                               {"slip-3-circle", 6e3, 6e3, 1e5}};
+// Of a wheel that stands straight and heads along an axis, so that many numbers are 0.
+const std::vector<Pull> straight_pulls{{"straight-stick", 1e3, 0, 1e4},
+                                       {"straight-roll", 1e3, 0, 0},
+                                       {"straight-slip-1-band-edge", 2e3, 0, 500},
+                                       {"straight-slip-3-circle", 6e3, 0, 1e5},
+                                       {"straight-on-ice", 1e3, 0, 500, 0}};
 
 template <class Ask, class Answer>
-void ask_all(const std::string& name, const std::vector<Ask>& asks, Answer answer) {
+void ask_all(const std::string& name, const std::vector<Ask>& asks, Answer answer, double quick = 0) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
     std::size_t i = 0;
     for (auto _ : state) {
       benchmark::DoNotOptimize(answer(asks[i]));
       if (++i == asks.size()) i = 0;
     }
+    if (quick > 0) state.counters["quick"] = quick;
   });
 }
 
@@ -58,9 +69,14 @@ std::vector<ClipAsk> clips(const Pull& pull) {
     ask.force_in_wheel = {pull.along * choose.between(0.9, 1.1), pull.across * choose.between(0.9, 1.1),
                           1e4 * choose.between(0.95, 1.05)};
     ask.normal_in_wheel = {choose.between(-0.01, 0.01), choose.between(-0.01, 0.01), -1};
-    ask.friction = 0.5;
+    ask.friction = pull.friction;
     ask.brake = pull.brake;
   }
+  return asks;
+}
+std::vector<ClipAsk> straight_clips(const Pull& pull) {
+  std::vector<ClipAsk> asks = clips(pull);
+  for (ClipAsk& ask : asks) ask.normal_in_wheel = {0, 0, -1};
   return asks;
 }
 
@@ -98,9 +114,25 @@ std::vector<StepAsk> contact_steps(const Pull& pull) {
                          b[1] + pull.across / 1e5 * choose.between(0.9, 1.1), 0},
                         {choose.between(0, 0.1), 0, 0},
                         {0, 0, 1},
-                        0.5,
-                        0.5,
+                        pull.friction,
+                        pull.friction,
                         1e7};
+  }
+  return asks;
+}
+// On a plane that rises along x.
+std::vector<StepAsk> straight_contact_steps(const Pull& pull, double rise) {
+  std::vector<StepAsk> asks = contact_steps(pull);
+  for (StepAsk& ask : asks) {
+    Frame& frame = ask.frame;
+    auto& contact = std::get<Contact>(ask.state);
+    frame.position_in_world[1] = contact.pebble_in_world[1] = 0;
+    frame.position_in_world[2] += rise * frame.position_in_world[0];
+    contact.pebble_in_world[2] = rise * contact.pebble_in_world[0];
+    contact.normal_in_world = {-rise, 0, 1};
+    frame.world_from_wheel = {0, 1, 0, 0};
+    frame.velocity_in_world = {frame.velocity_in_world[0], 0, 0};
+    frame.angular_velocity_in_world = {};
   }
   return asks;
 }
@@ -115,15 +147,25 @@ std::vector<StepAsk> free_steps(double height) {
   return asks;
 }
 
+// The part of the asks that leave no stage after the quick one anything to do.
+template <class Ask, class IsQuick>
+double quick_part(const std::vector<Ask>& asks, IsQuick is_quick) {
+  return static_cast<double>(std::ranges::count_if(asks, is_quick)) / static_cast<double>(asks.size());
+}
+
+void register_clips(const std::string& kind, const std::vector<ClipAsk>& asks) {
+  const std::string name = "clip/" + kind + "/";
+  const double quick = quick_part(
+      asks, [](const ClipAsk& ask) { return fast::decide_clip(ask).decisions == fast::Stage::doubles; });
+  ask_all(
+      name + "fast", asks, [](const ClipAsk& ask) { return fast::clip(ask); }, quick);
+  ask_all(name + "double", asks,
+          [](const ClipAsk& ask) { return as_written::clip(ask, as_written::Errata{}); });
+  ask_all(name + "exact", asks, [](const ClipAsk& ask) { return exact::clip(ask); });
+}
 void register_clips() {
-  for (const Pull& pull : pulls) {
-    const std::string name = "clip/" + pull.name + "/";
-    const auto asks = clips(pull);
-    ask_all(name + "fast", asks, [](const ClipAsk& ask) { return fast::clip(ask); });
-    ask_all(name + "double", asks,
-            [](const ClipAsk& ask) { return as_written::clip(ask, as_written::Errata{}); });
-    ask_all(name + "exact", asks, [](const ClipAsk& ask) { return exact::clip(ask); });
-  }
+  for (const Pull& pull : pulls) register_clips(pull.name, clips(pull));
+  for (const Pull& pull : straight_pulls) register_clips(pull.name, straight_clips(pull));
 }
 
 struct Prepared {
@@ -134,23 +176,48 @@ struct Prepared {
   exact::Scene exactly;
 };
 
-void register_steps(const std::string& ground, const Scene& scene) {
-  const auto with = std::make_shared<Prepared>(scene);
-  const auto register_asks = [&](const std::string& kind, const std::vector<StepAsk>& asks) {
-    const std::string name = "step/" + ground + "/" + kind + "/";
-    ask_all(name + "fast", asks, [=](const StepAsk& ask) { return fast::step(with->compiled, ask); });
+class Steps {
+ public:
+  Steps(std::string ground, const Scene& scene)
+      : ground_(std::move(ground)), with_(std::make_shared<Prepared>(scene)) {}
+
+  void add(const std::string& kind, const std::vector<StepAsk>& asks) const {
+    const std::string name = "step/" + ground_ + "/" + kind + "/";
+    const auto with = with_;
+    const double quick = quick_part(asks, [&](const StepAsk& ask) {
+      return fast::decide_step(with->compiled, ask).decisions == fast::Stage::doubles;
+    });
+    ask_all(
+        name + "fast", asks, [=](const StepAsk& ask) { return fast::step(with->compiled, ask); }, quick);
     ask_all(name + "double", asks,
             [=](const StepAsk& ask) { return as_written::step(with->plain, ask, as_written::Errata{}); });
     ask_all(name + "exact", asks, [=](const StepAsk& ask) { return exact::step(with->exactly, ask); });
-  };
-  for (const Pull& pull : pulls) register_asks(pull.name, contact_steps(pull));
-  register_asks("free-hit", free_steps(0.1));
-  register_asks("free-miss", free_steps(1));
+  }
+  void add_level() const {
+    for (const Pull& pull : pulls) add(pull.name, contact_steps(pull));
+    add("free-hit", free_steps(0.1));
+    add("free-miss", free_steps(1));
+  }
+  void add_straight(double rise) const {
+    for (const Pull& pull : straight_pulls) add(pull.name, straight_contact_steps(pull, rise));
+  }
+
+ private:
+  std::string ground_;
+  std::shared_ptr<Prepared> with_;
+};
+
+Scene one_half_space(const Vector& normal) {
+  const std::vector<Material> materials{{"dry", {{"rubber", {0.5, 0.4}}}, 1e7}};
+  return {materials, cover(0, groundtruth::half_space(normal, 0))};
 }
 
-Scene one_half_space() {
-  const std::vector<Material> materials{{"dry", {{"rubber", {0.5, 0.4}}}, 1e7}};
-  return {materials, cover(0, groundtruth::half_space({0, 0, 1}, 0))};
+void register_steps() {
+  const Steps level("half-space", one_half_space({0, 0, 1}));
+  level.add_level();
+  level.add_straight(0);
+  Steps("slope", one_half_space({-0.25, 0, 1})).add_straight(0.25);
+  Steps("runway-1000", cases::runway_of(1000)).add_level();
 }
 
 }  // namespace
@@ -159,8 +226,7 @@ Scene one_half_space() {
 int main(int count, char** arguments) {
   using namespace groundtruth;
   bench::register_clips();
-  bench::register_steps("half-space", bench::one_half_space());
-  bench::register_steps("runway-1000", cases::runway_of(1000));
+  bench::register_steps();
   benchmark::Initialize(&count, arguments);
   benchmark::RunSpecifiedBenchmarks();
 }
