@@ -64,7 +64,10 @@ bool give_quickly(const ClipAsk& ask, ClipAnswer& answer) {
     answer.emplace<TooSteep>();
     return true;
   }
-  const auto clipping = surface.decide();
+  const auto support = [&] {
+    return SurfaceSupport{Support(n), Support(forward), Support(force), ask.friction != 0, ask.brake != 0};
+  };
+  const auto clipping = surface.decide(support);
   if (!clipping) return false;
   Clipped& clipped = answer.emplace<Clipped>();
   if (*clipping == Clipping::none) {
@@ -74,8 +77,9 @@ bool give_quickly(const ClipAsk& ask, ClipAnswer& answer) {
   clipped.grip = Grip::slip;
   const auto axis = [&]() -> const Vector& { return forward; };
   const SurfaceInPairs<Pair, double, decltype(axis)> in_pairs(force_ask, axis, force);
-  return round_to_nearest(in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
-                          clipped.force_in_wheel);
+  return round_to_nearest(
+      in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
+      [&] { return support().clipped(*clipping); }, clipped.force_in_wheel);
 }
 
 GROUNDTRUTH_FUSED bool give_fused(const ClipAsk& ask, ClipAnswer& answer) {

@@ -111,13 +111,13 @@ std::optional<double> nearest_double(const PairWith<Products>& x, double error) 
   const double low = x.high + (x.low - more), high = x.high + (x.low + more);
   return low == high && std::abs(low) >= 0x1p-900 && std::isfinite(low) ? std::optional(low) : std::nullopt;
 }
-// Whether all three are certain.
-template <class Pair>
-bool round_to_nearest(const Vector3<Pair>& v, double error, Vector& nearest) {
+// Whether all three are certain. `support` gives where the exact vector may differ from 0.
+template <class Pair, class GivesSupport>
+bool round_to_nearest(const Vector3<Pair>& v, double error, const GivesSupport& support, Vector& nearest) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto rounded = nearest_double(v[k], error);
-    if (!rounded) return false;
-    nearest[k] = *rounded;
+    if (!rounded && support().has(k)) return false;
+    nearest[k] = rounded ? *rounded : 0;
   }
   return true;
 }

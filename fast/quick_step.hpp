@@ -1,8 +1,9 @@
 #pragma once
 // A step decided in doubles and computed in double-double, under one bound for the ask. Not installed.
 
-#include <groundtruth/fast/quick_strut.hpp>
+#include <groundtruth/fast/quick_pebble.hpp>
 #include <groundtruth/fast/quick_touch.hpp>
+#include <groundtruth/fast/step_support.hpp>
 
 namespace groundtruth::fast {
 
@@ -28,7 +29,9 @@ class QuickStep {
     if (touch->kind != QuickTouch::surface) return give_without_landing(*touch, {}, answer);
     Contact& landed = answer.emplace<Stepped>().state.emplace<Contact>();
     touch->write(landed);
-    return place_pebble(strut.landing_on(*touch->plane), landed.pebble_in_world);
+    return place_pebble(
+        ask_.frame.position_in_world, strut.landing_on(*touch->plane),
+        [&] { return support_of_axes(ask_.frame.world_from_wheel).downward; }, landed.pebble_in_world);
   }
 
   bool give_from(const Contact& contact, StepAnswer& answer) const {
@@ -71,29 +74,42 @@ class QuickStep {
       if (!holds) return false;
       if (!*holds) return give_failure(StepFailure::surface_gave_way, answer);
     }
-    const auto clipping = surface.decide();
+    const auto support = [&] { return StepSupport(ask_, contact, force_ask.friction); };
+    const auto clipping = surface.decide([&] { return support().surface; });
     if (!clipping) return false;
-    if (*clipping == Clipping::none) return give_stick(contact, force, force_ask.force_size, answer);
+    if (*clipping == Clipping::none)
+      return give_stick(contact, {force, 0x1p-90 * force_ask.force_size}, support, answer);
     const auto forward = [&] { return cross<Pair>(contact.normal_in_world, axes_.rightward()); };
     const SurfaceInPairs<Pair, Pair, decltype(forward)> in_pairs(force_ask, forward, force);
-    return give_slip(contact, load, in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
-                     answer);
+    return give_slip(contact, load,
+                     {in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping), *clipping},
+                     support, answer);
   }
 
-  static bool give_stick(const Contact& contact, const Vector3<Pair>& force, double force_size,
+  // Of the springs on the pebble, after a clip.
+  struct Borne {
+    Vector3<Pair> force;
+    double error;
+    Clipping clipping = Clipping::none;
+  };
+
+  // `support` gives the StepSupport.
+  template <class GivesSupport>
+  static bool give_stick(const Contact& contact, const Borne& borne, const GivesSupport& support,
                          StepAnswer& answer) {
     Stepped& stepped = answer.emplace<Stepped>();
     Contact& stuck = stepped.state.emplace<Contact>(contact);
     stuck.grip = Grip::stick;
     stuck.pebble_velocity_in_world = {};
-    return write_opposite(force, 0x1p-90 * force_size, stepped.force_on_frame_in_world);
+    return write_opposite(borne, support, stepped.force_on_frame_in_world);
   }
 
-  bool give_slip(const Contact& contact, const QuickLoad<Pair>& load, const Vector3<Pair>& clipped,
-                 double error, StepAnswer& answer) const {
+  template <class GivesSupport>
+  bool give_slip(const Contact& contact, const QuickLoad<Pair>& load, const Borne& borne,
+                 const GivesSupport& support, StepAnswer& answer) const {
     Vector force_on_frame;
-    if (!write_opposite(clipped, error, force_on_frame)) return false;
-    const QuickOffset<Pair> offset = relocated(load, clipped, error);
+    if (!write_opposite(borne, support, force_on_frame)) return false;
+    const QuickOffset<Pair> offset = relocated(ask_, load, borne.force, borne.error);
     const QuickStrut<Pair> strut(ask_, axes_, offset);
     const auto touch = touch_at(strut);
     if (!touch) return false;
@@ -104,8 +120,11 @@ class QuickStep {
     slipped.grip = Grip::slip;
     touch->write(slipped);
     const QuickLanding<Pair> landing = strut.landing_on(*touch->plane);
-    return place_pebble(landing, slipped.pebble_in_world) &&
-           move_pebble(landing, contact, load, slipped.pebble_velocity_in_world);
+    const auto of_way = [&] { return support().of_way(borne.clipping); };
+    const auto of_move = [&] { return support().of_move(borne.clipping); };
+    return place_pebble(ask_.frame.position_in_world, landing, of_way, slipped.pebble_in_world) &&
+           move_pebble(ask_.h, landing, contact.pebble_in_world, load, of_move,
+                       slipped.pebble_velocity_in_world);
   }
 
   static bool give_failure(StepFailure failure, StepAnswer& answer) {
@@ -121,26 +140,6 @@ class QuickStep {
     if (touch.kind == QuickTouch::broken) return give_failure(StepFailure::wheel_broken, answer);
     if (touch.kind == QuickTouch::too_steep) return give_failure(StepFailure::surface_too_steep, answer);
     return give_free(force_on_frame, answer);
-  }
-
-  // As Load::relocated (step_load.hpp).
-  QuickOffset<Pair> relocated(const QuickLoad<Pair>& load, const Vector3<Pair>& clipped, double error) const {
-    const double k_xy = ask_.wheel.k_xy, d_xy = ask_.wheel.d_xy, h = ask_.h, force_scale = 0x1p84 * error;
-    const bool is_usable = is_in_window(std::abs(k_xy)) && is_in_window(h);
-    if (!is_usable) return {{}, std::numeric_limits<double>::infinity()};
-    if (ask_.wheel.relocation == Relocation::spring) {
-      const double inverse = 1 / k_xy;
-      const auto axis = [&](std::size_t k) { return quotient(clipped[k], Pair(k_xy), inverse); };
-      return {{axis(0), axis(1), axis(2)}, std::abs(force_scale * inverse)};
-    }
-    const Pair stiffness = Pair::product(h, k_xy) + Pair(d_xy);
-    const double inverse = 1 / stiffness.high;
-    const auto axis = [&](std::size_t k) {
-      const Pair moved = load.arm()[k] - h * load.velocity()[k];
-      return quotient(h * clipped[k] + d_xy * moved, stiffness, inverse);
-    };
-    const double moved_size = load.arm_size() + h * load.velocity_size();
-    return {{axis(0), axis(1), axis(2)}, std::abs((h * force_scale + std::abs(d_xy) * moved_size) * inverse)};
   }
 
   // Where a contact would be refused, nothing: the reason is for others to give.
@@ -160,48 +159,12 @@ class QuickStep {
                       ask_.wheel.min_uprightness);
   }
 
-  bool place_pebble(const QuickLanding<Pair>& landing, Vector& pebble) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (k == landing.level_axis) {
-        pebble[k] = landing.level;
-        continue;
-      }
-      const double b = ask_.frame.position_in_world[k];
-      const Pair& way = landing.from_frame_in_world[k];
-      const double error = landing.error + 0x1p-100 * (std::abs(b) + std::abs(way.high));
-      const auto place = nearest_double(Pair::loose_sum(b, way), error);
-      if (!place) return false;
-      pebble[k] = *place;
-    }
-    return true;
-  }
-
-  // From the old place to the new one in a step.
-  bool move_pebble(const QuickLanding<Pair>& landing, const Contact& contact, const QuickLoad<Pair>& load,
-                   Vector& velocity) const {
-    const double h = ask_.h, inverse = 1 / h;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_level = k == landing.level_axis;
-      const Pair& to = landing.from_frame_in_world[k];
-      const Pair& from = load.arm()[k];
-      const Pair moved =
-          is_level ? Pair::sum(landing.level, -contact.pebble_in_world[k]) : Pair::loose_sum(to, -from);
-      if (is_level && moved.high == 0) {
-        velocity[k] = 0;
-        continue;
-      }
-      const double of_ends =
-          is_level ? 0 : landing.error + 0x1p-97 * (std::abs(to.high) + std::abs(from.high));
-      const double error = of_ends + (0x1p-97 * std::abs(moved.high) + 0x1p-1000);
-      const auto speed = nearest_double(quotient(moved, Pair(h), inverse), 2 * (error * inverse));
-      if (!speed) return false;
-      velocity[k] = *speed;
-    }
-    return true;
-  }
-
-  static bool write_opposite(const Vector3<Pair>& force, double error, Vector& opposite) {
-    return round_to_nearest(Vector3<Pair>{-force[0], -force[1], -force[2]}, error, opposite);
+  template <class GivesSupport>
+  static bool write_opposite(const Borne& borne, const GivesSupport& support, Vector& opposite) {
+    const auto& force = borne.force;
+    return round_to_nearest(
+        Vector3<Pair>{-force[0], -force[1], -force[2]}, borne.error,
+        [&] { return support().surface.clipped(borne.clipping); }, opposite);
   }
 
   const Scene& scene_;

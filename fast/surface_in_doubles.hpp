@@ -7,6 +7,7 @@
 
 #include <groundtruth/fast/clipping.hpp>
 #include <groundtruth/fast/pairs.hpp>
+#include <groundtruth/fast/support.hpp>
 
 namespace groundtruth::fast {
 
@@ -75,16 +76,15 @@ class SurfaceInDoubles {
     return is_at_most(got, limit, got + limit + n_squared_ * force_squared_);
   }
 
-  std::optional<Clipping> decide() const {
-    const double along_squared = along_ * along_, band = brake_squared_ * g_squared_;
-    const auto within_band =
-        is_at_most(along_squared, band, (along_squared + band) + g_squared_ * force_squared_);
+  // `support` gives the SurfaceSupport of what the ask stands for; it is asked only where that matters.
+  template <class GivesSupport>
+  std::optional<Clipping> decide(const GivesSupport& support) const {
+    const auto within_band = is_within_band(support);
     if (!within_band) return std::nullopt;
-    if (!*within_band) return decide_slip(along_squared);
-    const double turning_squared = dot_in_doubles(turning_, turning_), limit = limit_squared();
-    const auto within_disc = is_at_most(turning_squared, limit, (turning_squared + limit) + disc_floor());
+    if (!*within_band) return decide_slip();
+    const auto within_disc = is_within_disc(support);
     if (!within_disc) return std::nullopt;
-    return *within_disc ? Clipping::none : decide_slip(along_squared);
+    return *within_disc ? Clipping::none : decide_slip();
   }
 
   // Of how much the corner of band and disc moves with the disc.
@@ -93,7 +93,29 @@ class SurfaceInDoubles {
   }
 
  private:
-  std::optional<Clipping> decide_slip(double along_squared) const {
+  // Without a brake, or friction, what is asked is whether a number is 0.
+  template <class GivesSupport>
+  std::optional<bool> is_within_band(const GivesSupport& support) const {
+    const double along_squared = along_ * along_, floor = g_squared_ * force_squared_;
+    if (ask_.brake == 0) return is_zero(along_squared, floor, [&] { return support().may_pull_along(); });
+    const double band = brake_squared_ * g_squared_;
+    return is_at_most(along_squared, band, (along_squared + band) + floor);
+  }
+  template <class GivesSupport>
+  std::optional<bool> is_within_disc(const GivesSupport& support) const {
+    const double turning_squared = dot_in_doubles(turning_, turning_), floor = n_squared_ * force_squared_;
+    if (ask_.friction == 0) return is_zero(turning_squared, floor, [&] { return support().may_turn(); });
+    const double limit = limit_squared();
+    return is_at_most(turning_squared, limit, (turning_squared + limit) + disc_floor());
+  }
+  template <class MayDiffer>
+  static std::optional<bool> is_zero(double squared, double floor, const MayDiffer& may_differ) {
+    if (squared > 0x1p-90 * floor) return false;
+    return may_differ() ? std::nullopt : std::optional(true);
+  }
+
+  std::optional<Clipping> decide_slip() const {
+    if (ask_.friction == 0) return Clipping::onto_circle;
     const double limit = limit_squared(), band = brake_squared_ * n_squared_, corner = limit - band;
     const auto no_corner = is_at_most(limit, band, (limit + band) + disc_floor());
     if (!no_corner) return std::nullopt;
@@ -104,7 +126,8 @@ class SurfaceInDoubles {
                    (across_squared + g_squared_ * (limit + band)) + g_squared_ * disc_floor());
     if (!between_corners) return std::nullopt;
     if (*between_corners) return Clipping::onto_band_edge;
-    const double over = brake_squared_ * across_squared;
+    if (ask_.brake == 0) return Clipping::onto_corner;
+    const double along_squared = along_ * along_, over = brake_squared_ * across_squared;
     const auto beside_corner =
         is_at_most(over, along_squared * corner,
                    (over + along_squared * (limit + band)) +

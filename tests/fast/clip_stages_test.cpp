@@ -59,9 +59,31 @@ TEST(FastClipStages, BordersAreDecidedExactly) {
   expect_stages({{0, 0, 1}, {3, 4, -5}, 1, 1, 1}, Stage::exact, Stage::exact);
 }
 
-TEST(FastClipStages, WithoutABrakeThereIsNothingToRound) {
-  expect_stages({{0, 3, -10}, level, 0.5, 0}, Stage::double_pair, Stage::none);
-  expect_stages({{0x1p-40, 3, -10}, level, 0.5, 0}, Stage::double_pair, Stage::double_pair);
+TEST(FastClipStages, ComponentsThatAreZeroAreQuick) {
+  expect_stages({{10, 0, -30}, level, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{30, 0, -30}, level, 0.5, 50}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{0, 30, -30}, level, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{10, 0, -30}, {0.6, 0, -0.8}, 0.5, 5}, Stage::doubles, Stage::quick_pair);
+}
+
+TEST(FastClipStages, WithoutABrakeTheBandIsALine) {
+  expect_stages({{0, 3, -10}, level, 0.5, 0}, Stage::doubles, Stage::none);
+  expect_stages({{0, 9, -10}, level, 0.5, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{0x1p-40, 3, -10}, level, 0.5, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{0x1p-40, 9, -10}, level, 0.5, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{3, 0, -10}, level, 0.5, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{0x1p-60, 3, -10}, level, 0.5, 0}, Stage::double_pair, Stage::double_pair);
+  // On the line, but no component shows it.
+  expect_stages({{3, 1, -4}, {0.75, 0, -1}, 0.5, 0}, Stage::exact, Stage::exact);
+}
+
+TEST(FastClipStages, WithoutFrictionTheDiscIsAPoint) {
+  expect_stages({{0, 0, -10}, level, 0, 5}, Stage::doubles, Stage::none);
+  expect_stages({{0, 0x1p-40, -10}, level, 0, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{3, 4, -10}, level, 0, 5}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{3, 4, -10}, level, 0, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{3, 4, -10}, tilted, 0, 0}, Stage::doubles, Stage::quick_pair);
+  expect_stages({{3, 0, -4}, {0.75, 0, -1}, 0, 5}, Stage::exact, Stage::exact);
 }
 
 TEST(FastClipStages, RandomForcesAreQuick) {

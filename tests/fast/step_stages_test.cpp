@@ -85,10 +85,40 @@ TEST(FastStepStages, PlanesSquareToNoAxisAreQuick) {
 }
 
 // A wheel that stands straight: some numbers are 0, which a bound for the whole ask never shows.
-TEST(FastStepStages, ZerosAreLeftToCountedPairs) {
-  StepAsk ask = in_contact({3.3, 0.2, 0});
+TEST(FastStepStages, WheelsThatStandStraightAreQuick) {
+  const Quaternion along_x{0, 1, 0, 0}, along_y{0, 0.7, 0.7, 0}, pitched_along_y{0.14, 0.7, 0.7, -0.14};
+  for (const Relocation relocation : {Relocation::spring, Relocation::return_mapping})
+    for (const double brake : {0.0, 300.0, 1e5})
+      for (const double pull : {0.001, 0.3}) {
+        StepAsk ask = in_contact({3.3 + pull, 0.2, 0});
+        ask.wheel.relocation = relocation;
+        ask.brake = brake;
+        ask.frame.world_from_wheel = along_x;
+        ask.frame.velocity_in_world = {1.1, 0, -0.2};
+        std::get<Contact>(ask.state).pebble_velocity_in_world = {};
+        expect_stages(flat(), ask, Stage::doubles, Stage::quick_pair);
+        for (const Quaternion& orientation : {along_y, pitched_along_y}) {
+          ask.frame.world_from_wheel = orientation;
+          ask.frame.position_in_world = {0, 3.3, 0.55};
+          ask.frame.velocity_in_world = {0, 1.1, -0.2};
+          std::get<Contact>(ask.state).pebble_in_world = {0, 3.3 + pull, 0};
+          expect_stages(flat(), ask, Stage::doubles, Stage::quick_pair);
+        }
+      }
+}
+
+TEST(FastStepStages, WheelsAboveTheOriginAreQuick) {
+  StepAsk ask = above_ground();
   ask.frame.world_from_wheel = {0, 1, 0, 0};
-  ask.frame.velocity_in_world = {1.1, 0, -0.2};
+  ask.frame.position_in_world = {0, 0, 0.55};
+  expect_stages(flat(), ask, Stage::doubles, Stage::quick_pair);
+}
+
+TEST(FastStepStages, PulledAsideByNextToNothingIsLeftToCountedPairs) {
+  StepAsk ask = in_contact({3.3, 0, 0});
+  ask.frame.position_in_world[1] = 0x1p-60;
+  ask.frame.world_from_wheel = {0, 1, 0, 0};
+  ask.frame.velocity_in_world = {1.1, 0x1p-60, -0.2};
   std::get<Contact>(ask.state).pebble_velocity_in_world = {};
   expect_stages(flat(), ask, Stage::double_pair, Stage::double_pair);
 }
