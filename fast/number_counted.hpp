@@ -10,19 +10,8 @@
 
 namespace groundtruth::fast {
 
-// Each operation of the type is off by at most this part of its result, or of the sum of its terms'
-// magnitudes.
-template <class Real>
-inline constexpr double unit_of = 0;
-template <>
-inline constexpr double unit_of<double> = 0x1p-53;
-template <class Products>
-inline constexpr double unit_of<PairWith<Products>> = 0x1p-102;
-
-template <class Real>
-inline constexpr bool is_pair = false;
-template <class Products>
-inline constexpr bool is_pair<PairWith<Products>> = true;
+// Each operation of pairs is off by at most this part of its result, or of the sum of its terms' magnitudes.
+inline constexpr double pair_unit = 0x1p-102;
 
 // Guarantees (lemma counted-roundings, proofs-notes/rounding-of-forces.md, section 1):
 // 1. |exact| <= size and |value - exact| <= error(), where size and error() are not finite if that is not so.
@@ -36,7 +25,7 @@ struct Counted {
   double size = 0;
 
   // One unit each; 2^-10 of that for second-order terms, underflow, and the rounding of sizes.
-  static constexpr double units = n * unit_of<Real> * (1 + 0x1p-10);
+  static constexpr double units = n * pair_unit * (1 + 0x1p-10);
   double error() const { return units * size; }
 
   // With less roundings, any number is one with more.
@@ -65,12 +54,7 @@ Counted<Real, 0> counted(double x) {
 // The difference is a number of its own, rounded once: where it is 0, so is its size.
 template <class Real>
 Counted<Real, 1> difference(double a, double b) {
-  const Real value = [&] {
-    if constexpr (is_pair<Real>)
-      return Real::sum(a, -b);
-    else
-      return Real(a) - Real(b);
-  }();
+  const Real value = Real::sum(a, -b);
   const double size = std::abs(static_cast<double>(value));
   return {value, size == 0 ? 0 : std::max(size * (1 + 0x1p-50), least_size)};
 }
@@ -87,16 +71,21 @@ template <class Real, int n>
 Counted<Real, n> operator-(const Counted<Real, n>& a) {
   return {-a.value, a.size};
 }
+// A product to be summed on: an input has no low part.
+template <class Real, int m, int n>
+Real loose_product(const Counted<Real, m>& a, const Counted<Real, n>& b) {
+  if constexpr (m == 0 && n == 0)
+    return Real::product(a.value.high, b.value.high);
+  else if constexpr (m == 0)
+    return Real::loose_product(a.value.high, b.value);
+  else if constexpr (n == 0)
+    return Real::loose_product(b.value.high, a.value);
+  else
+    return Real::loose_product(a.value, b.value);
+}
 template <class Real, int m, int n>
 Counted<Real, m + n + 1> operator*(const Counted<Real, m>& a, const Counted<Real, n>& b) {
-  if constexpr (is_pair<Real> && m == 0 && n == 0)  // an input has no low part
-    return {Real::product(a.value.high, b.value.high), product_of_sizes(a.size, b.size)};
-  else if constexpr (is_pair<Real> && m == 0)
-    return {a.value.high * b.value, product_of_sizes(a.size, b.size)};
-  else if constexpr (is_pair<Real> && n == 0)
-    return {b.value.high * a.value, product_of_sizes(a.size, b.size)};
-  else
-    return {a.value * b.value, product_of_sizes(a.size, b.size)};
+  return {loose_product(a, b).tidy(), product_of_sizes(a.size, b.size)};
 }
 // Lemma counted-square: one of the two factors of its size may be as small as the number itself, so that a
 // square near 0 is known as precisely as its root.
@@ -125,19 +114,13 @@ Counted<Real, m + n + 2> operator/(const Counted<Real, m>& a, const Counted<Real
   return {a.value / b.value, std::max((a.size * inverse) * std::max(b.size * inverse, 1.0), least_size)};
 }
 
-inline double root_of(double x) { return std::sqrt(x); }
-template <class Products>
-PairWith<Products> root_of(const PairWith<Products>& x) {
-  return sqrt(x);
-}
-
 // Lemma counted-root. Requires that the exact a is not negative.
 template <class Real, int n>
 Counted<Real, (n + 1) / 2 + 1> root(const Counted<Real, n>& a) {
   if (a.size == 0) return {};
   const auto approximate = static_cast<double>(a.value);
   if (!(a.error() <= 0x1p-10 * approximate)) return {Real(0.0), std::numeric_limits<double>::infinity()};
-  return {root_of(a.value), 1.01 * std::max(a.size, approximate) / std::sqrt(approximate)};
+  return {sqrt(a.value), 1.01 * std::max(a.size, approximate) / std::sqrt(approximate)};
 }
 
 enum class Sign { negative = -1, zero = 0, positive = 1, uncertain = 2 };

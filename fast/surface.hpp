@@ -31,41 +31,21 @@ std::optional<Vector> nearest_doubles(const CountedVector<Real, n>& v) {
   return rounded;
 }
 
-// A product to be summed on: an input has no low part.
-template <class Real, int m, int n>
-Real loose_product(const Counted<Real, m>& a, const Counted<Real, n>& b) {
-  if constexpr (m == 0 && n == 0)
-    return Real::product(a.value.high, b.value.high);
-  else if constexpr (m == 0)
-    return Real::loose_product(a.value.high, b.value);
-  else if constexpr (n == 0)
-    return Real::loose_product(b.value.high, a.value);
-  else
-    return Real::loose_product(a.value, b.value);
-}
-
 // Lemma loose-pairs: as many roundings as one by one.
 template <class Real, int m, int n>
 Counted<Real, m + n + 3> dot(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {
-  if constexpr (is_pair<Real>) {
-    const Real first_two = Real::loose_sum(loose_product(a[0], b[0]), loose_product(a[1], b[1]));
-    const double size = (product_of_sizes(a[0].size, b[0].size) + product_of_sizes(a[1].size, b[1].size)) +
-                        product_of_sizes(a[2].size, b[2].size);
-    return {Real::loose_sum(first_two, loose_product(a[2], b[2])).tidy(), size};
-  } else {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
+  const Real first_two = Real::loose_sum(loose_product(a[0], b[0]), loose_product(a[1], b[1]));
+  const double size = (product_of_sizes(a[0].size, b[0].size) + product_of_sizes(a[1].size, b[1].size)) +
+                      product_of_sizes(a[2].size, b[2].size);
+  return {Real::loose_sum(first_two, loose_product(a[2], b[2])).tidy(), size};
 }
 
 // a b - c d, likewise.
 template <class Real, int m, int n>
 Counted<Real, m + n + 2> determinant(const Counted<Real, m>& a, const Counted<Real, n>& b,
                                      const Counted<Real, m>& c, const Counted<Real, n>& d) {
-  if constexpr (is_pair<Real>)
-    return {Real::loose_sum(loose_product(a, b), -loose_product(c, d)).tidy(),
-            product_of_sizes(a.size, b.size) + product_of_sizes(c.size, d.size)};
-  else
-    return a * b - c * d;
+  return {Real::loose_sum(loose_product(a, b), -loose_product(c, d)).tidy(),
+          product_of_sizes(a.size, b.size) + product_of_sizes(c.size, d.size)};
 }
 template <class Real, int m, int n>
 CountedVector<Real, m + n + 2> cross(const CountedVector<Real, m>& a, const CountedVector<Real, n>& b) {

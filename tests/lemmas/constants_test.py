@@ -12,11 +12,10 @@ HEX = r"(-?0x[0-9a-fA-F.]+p[+-]?\d+)"
 
 # Source, what stands around the constant there (spaces are any space), lemma file, definition.
 CONSTANTS = [
-    ("fast/number_counted.hpp", rf"unit_of<PairWith<Products>> = {HEX};", "pair_sum.v", "pair_unit"),
-    ("fast/number_counted.hpp", rf"unit_of<double> = {HEX};", "counted.v", "u"),
+    ("fast/number_counted.hpp", rf"pair_unit = {HEX};", "pair_sum.v", "pair_unit"),
     ("fast/number_counted.hpp", rf"b.error\(\) <= {HEX} \* divisor", "counted_roots.v", "known_to"),
     ("fast/number_counted.hpp", rf"a.error\(\) <= {HEX} \* approximate", "counted_roots.v", "known_to"),
-    ("fast/number_counted.hpp", rf"unit_of<Real> \* \(1 \+ {HEX}\)", "counted.v", "second_orders"),
+    ("fast/number_counted.hpp", rf"pair_unit \* \(1 \+ {HEX}\)", "counted.v", "second_orders"),
     ("fast/cell.hpp", rf"{HEX} \* greatest_coordinate_", "delta_error.v", "per_size"),
     ("fast/cell.hpp", rf"{HEX} \* offset_size", "delta_error.v", "per_size"),
     ("fast/cell.hpp", rf"offset_size \+ {HEX}\)", "delta_error.v", "error_floor"),
