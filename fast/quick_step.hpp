@@ -74,7 +74,10 @@ class QuickStep {
       if (!holds) return false;
       if (!*holds) return give_failure(StepFailure::surface_gave_way, answer);
     }
-    const auto support = [&] { return StepSupport(ask_, contact, force_ask.friction); };
+    std::optional<StepSupport> known;
+    const auto support = [&]() -> const StepSupport& {
+      return known ? *known : known.emplace(ask_, contact, force_ask.friction);
+    };
     const auto clipping = surface.decide([&] { return support().surface; });
     if (!clipping) return false;
     if (*clipping == Clipping::none)

@@ -34,8 +34,9 @@ std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends,
   if (!face.material) return touch;
   const Material& material = scene.materials()[*face.material];
   touch.maximum_force = material.maximum_force;
-  const auto friction = material.friction_by_tyre.find(tyre);
-  if (friction != material.friction_by_tyre.end()) touch.friction = &friction->second;
+  // Looking at all of a few is quicker than to search them.
+  for (const auto& [name, friction] : material.friction_by_tyre)
+    if (name == tyre) touch.friction = &friction;
   return touch;
 }
 
