@@ -73,8 +73,8 @@ std::string difference_in(const Reply& reply, const cases::Case& asked) {
   const Answer got =
       reply.kind == ReplyKind::refused ? Answer(StepAnswer{Refusal{reply.detail}}) : reply.answer;
   const judge::Verdict verdict = judge::Judge(asked.scene, {}).judge(asked.ask, got);
-  return verdict.is_accepted() ? ""
-                               : std::string(judge::name_of(verdict.difference)) + ": " + verdict.explanation;
+  if (verdict.is_accepted()) return "";
+  return fmt::format("differs in {}: {}", judge::name_of(verdict.difference), verdict.explanation);
 }
 
 Explanation explanation_of(const cases::Case& asked, implementations::Subject* subject) {

@@ -79,7 +79,7 @@ using Facts = std::variant<EntryFacts, ClipFacts, StepFacts>;
 struct Opinion {
   std::string who;
   std::string line;        // its answer, JSON
-  std::string difference;  // in a word; empty: the same to the last bit
+  std::string difference;  // "differs in lambda", "is undecided"; empty: the same to the last bit
 };
 
 struct Explanation {
@@ -89,7 +89,7 @@ struct Explanation {
   std::string answer_line;
   std::string in_words;
   Facts facts;
-  std::vector<Opinion> opinions;  // each engine, and each erratum of SPEC section 7
+  std::vector<Opinion> opinions;  // each engine, each tier that is none, and each erratum of SPEC section 7
 };
 
 Explanation explain(const cases::Case& asked);

@@ -82,7 +82,7 @@ std::string html_of_opinions(const Explanation& explanation) {
     const bool same = opinion.difference.empty();
     html += fmt::format("<tr class=\"{}\"><td>{}</td><td>{}</td><td><code>{}</code></td></tr>\n",
                         same ? "same" : "differs", escaped(opinion.who),
-                        same ? "the same" : "differs in " + escaped(opinion.difference),
+                        same ? "the same" : escaped(opinion.difference),
                         same && opinion.who != "exact" ? "" : escaped(opinion.line));
   }
   return html + "</tbody></table></div>\n";

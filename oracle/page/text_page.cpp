@@ -114,8 +114,7 @@ class TextPage {
             fmt::format("  {:<36}  {}\n", opinion.who, painted("the same", fg(fmt::terminal_color::green)));
       } else {
         text_ += fmt::format("  {:<36}  {}\n    {}\n", opinion.who,
-                             painted("differs in " + opinion.difference, fg(fmt::terminal_color::red)),
-                             opinion.line);
+                             painted(opinion.difference, fg(fmt::terminal_color::red)), opinion.line);
       }
     }
   }

@@ -29,7 +29,7 @@ ALLOWED = {
     "oracle/rig": {"problem", "implementations", "text"},
     "oracle/stability": {"problem", "rig"},
     "oracle/diagnosis": {"problem", "cases", "judge", "implementations"},
-    "oracle/explanation": {"problem", "text", "cases", "judge", "implementations"},
+    "oracle/explanation": {"problem", "text", "cases", "judge", "implementations", "tiers"},
     "oracle/page": {"problem", "text", "cases", "explanation", "report"},
     "oracle/cli": {"precision", "problem", "text", "cases", "judge", "implementations", "campaign", "validation", "report", "rig",
                    "stability", "explanation", "page"},

@@ -43,6 +43,21 @@ TEST(ExplainedEntry, LightsTheSolidFirstWhereItIsEntered) {
   }
 }
 
+std::string difference_of(const std::string& who, const Explanation& explanation) {
+  for (const Opinion& opinion : explanation.opinions)
+    if (opinion.who == who) return opinion.difference;
+  return "says nothing";
+}
+
+TEST(ExplainedEntry, TellsWhatEachKindOfArithmeticAnswers) {
+  const Explanation at_a_third = explained("grazing/top-plane");
+  EXPECT_EQ(difference_of("float", at_a_third), "differs in lambda");
+  EXPECT_EQ(difference_of("interval", explained("sheet/one-ulp-thick")), "is undecided");
+  EXPECT_EQ(difference_of("mpfr-256", at_a_third), "");
+  EXPECT_EQ(difference_of("cgal-lazy", explained("clip/case-2-corner")),
+            "does not answer this: its numbers have no square roots");
+}
+
 TEST(ExplainedEntry, NamesTheSeamAsWhatItIs) {
   const Explanation seam = explained("seam/inside-it");
   bool seen = false;
