@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace groundtruth::implementations::test {
@@ -12,9 +13,12 @@ namespace {
 
 std::string token() { return "hostile-of-" + std::to_string(getpid()); }
 
+// Empty where it cannot be read: a process may end between its listing and its reading, which an iterator
+// over the stream's buffer would throw for.
 std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
 }
 
 }  // namespace
