@@ -1,10 +1,10 @@
 #include <groundtruth/report/trajectory_plot.hpp>
 
-#include <groundtruth/rig/body.hpp>
-
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include <groundtruth/rig/body.hpp>
 
 namespace groundtruth::report {
 namespace {
