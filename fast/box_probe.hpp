@@ -9,9 +9,6 @@
 
 namespace groundtruth::fast {
 
-// Beyond this, floats are too coarse to cut anything off.
-inline constexpr double greatest_box_coordinate = 0x1p60;
-
 // Lemma box-slabs (proofs-notes/rounding.md). Per axis the near side of a box is met at (near - near_origin)
 // * inverse, the far side at (far - far_origin) * inverse. The origins are moved apart by `pad`, which
 // exceeds the rounding of the ends, of the origins themselves, and the whole way along an axis of which the

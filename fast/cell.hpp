@@ -18,8 +18,8 @@ class Probe {
   explicit Probe(const EntryAsk& ask) : ends_(ends_of(ask)) {}
   explicit Probe(const RangeEnds& ends) : ends_(ends) {}
 
-  const RangeEnds& ends() const { return ends_; }
-  double greatest_coordinate() const { return greatest_coordinate_; }
+  [[gnu::always_inline]] inline const RangeEnds& ends() const { return ends_; }
+  [[gnu::always_inline]] inline double greatest_coordinate() const { return greatest_coordinate_; }
 
   // Lemma clip-interval (proofs-notes/rounding.md): a bound E such that for each half-space of these sizes,
   // with a and b its Deltas at the ends as computed here, w = fl(a - b), both exact Deltas are within E of a

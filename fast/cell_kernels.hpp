@@ -13,18 +13,20 @@
 
 namespace groundtruth::fast {
 
-struct SquareProbe;
-
 struct RoundedCrossing {
   double lambda = 0;
   bool is_certain = false;
 };
 
+// What is left to be searched.
+enum class Left { nothing, hierarchy };
+
 struct CellKernels {
-  // These add to task.result what the range may meet first of some parts: those listed, those over a square,
-  // those in a hierarchy, of which the first node is the root. Requires coordinates that box-slabs allows.
+  // These add to task.result what the range may meet first of some parts: those apart and, if the range is
+  // over few squares of the grid, those over these; those listed; those in a hierarchy, of which the first
+  // node is the root. The last requires coordinates that box-slabs allows.
+  Left (*visit_near)(SearchTask& task);
   void (*visit_parts)(SearchTask& task, const Part* first, const Part* end);
-  void (*visit_square)(SearchTask& task, const SquareEntries& square, const SquareProbe& here);
   void (*visit_hierarchy)(SearchTask& task, const BoxNode* nodes, const BoxWay& way);
   // The children of a node that may be met no later than `upper`, as bits, and where first.
   unsigned (*meet_boxes)(const BoxNode& node, const BoxWay& way, float upper, float* nearest);

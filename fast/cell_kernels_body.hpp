@@ -114,6 +114,28 @@ class GroupsMet {
   unsigned undecided_ = 0;
 };
 
+// What meet_groups() says of a cell of one half-space, the first of the group.
+[[gnu::always_inline]] inline Meeting meet_half_space(const HalfSpaces4& group, const double* first,
+                                                      const double* last, double error, double latest) {
+  const double x = group.normal_x[0], y = group.normal_y[0], z = group.normal_z[0], d = group.offset[0];
+  const double a = x * first[0] + y * first[1] + z * first[2] - d;
+  const double b = x * last[0] + y * last[1] + z * last[2] - d;
+  if (a > error && b > error) return no_meeting;
+  const double w = a - b, inverse = 1 / w, middle = a * inverse;
+  const double margin = error * __builtin_fabs(inverse);
+  if (w > 2 * error) {
+    const double lower = middle - margin, upper = middle + margin;
+    if (lower > latest) return no_meeting;
+    if (!(lower > 0)) return {0, upper <= 1 ? (upper > -1 ? upper : -1) : 2, no_place};
+    return upper <= 1 ? Meeting{lower, upper, 0} : Meeting{lower, 2, no_place};
+  }
+  if (w < -2 * error) {
+    if (middle + margin < 0) return no_meeting;
+    return {0, middle - margin > 0 ? -1.0 : 2.0, no_place};
+  }
+  return {0, a < -error && b < -error ? -1.0 : 2.0, no_place};
+}
+
 // Two groups at a time: most cells have no more, and most are missed before anything is divided. Requires a
 // usable error bound. A meeting behind `latest` may be told as a miss.
 template <class Lanes>

@@ -26,10 +26,10 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
     answer = Inside{lambda.value};
     return {Stage::exact, lambda.stage, Stage::none};
   }
-  const HitPlace place{
-      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], {}}, entry->crossed};
-  const FaceMaterial found = material_at(scene, probe, ask, place);
-  answer = Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material};
+  const Face face{entry->leaf, scene.solid().leaves[entry->leaf], {}};
+  const HalfSpace* const crossed = entry->crossed ? &*entry->crossed : nullptr;
+  const FaceMaterial found = material_at(scene, probe, ask, {lower, result.upper, face, crossed});
+  answer = Border{lambda.value, face.leaf, face.half_space.normal, found.material};
   return {Stage::exact, lambda.stage, found.stage};
 }
 
@@ -48,14 +48,17 @@ EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer)
   const Face face = sole_face(scene, probe, result);
   if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
   const RoundedLambda lambda = correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask);
-  auto& border =
-      answer.emplace<Border>(Border{lambda.value, face.leaf, face.half_space.normal, std::nullopt});
+  // Field by field, for the same reason as HitPlace.
+  auto& border = answer.emplace<Border>();
+  border.lambda = lambda.value;
+  border.leaf = face.leaf;
+  border.normal_in_world = face.half_space.normal;
   if (const auto material = sure_material(face)) {
     border.material = *material;
     return {Stage::doubles, lambda.stage, Stage::doubles};
   }
   const FaceMaterial found =
-      material_at(scene, probe, ask, {result.lower(), result.upper, face, face.half_space});
+      material_at(scene, probe, ask, {result.lower(), result.upper, face, &face.half_space});
   border.material = found.material;
   return {Stage::doubles, lambda.stage, found.stage};
 }

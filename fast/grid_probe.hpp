@@ -1,11 +1,10 @@
 #pragma once
-// A range against the squares of a grid. Not installed.
-
-#include <algorithm>
+// A range against the squares of a grid, over lanes of any kind. Not installed.
+//
+// As cell_kernels_body.hpp: nothing here may be shared between sets of instructions, hence the templates.
 
 #include <groundtruth/fast/grid.hpp>
 #include <groundtruth/fast/lanes.hpp>
-#include <groundtruth/fast/range_ends.hpp>
 
 namespace groundtruth::fast {
 
@@ -13,20 +12,17 @@ namespace groundtruth::fast {
 struct Squares {
   std::uint32_t first_column, last_column, first_row, last_row;
 
-  std::size_t count() const {
+  [[gnu::always_inline]] inline std::size_t count() const {
     return std::size_t{last_column - first_column + 1} * (last_row - first_row + 1);
   }
 };
 
 // A longer range is better served by the hierarchy.
-inline bool is_served(const Grid& grid, const Squares& squares) {
-  constexpr std::size_t most_squares = 6;
-  return grid.rows > 0 && squares.count() <= most_squares;
-}
+inline constexpr std::size_t most_squares = 6;
 
 // Places in a square are monotone, so that what lies beyond another there does so in space.
 struct SquareProbe {
-  std::uint8_t first_across, last_across, first_along, last_along;
+  std::int32_t first_across, first_along, last_across, last_along;  // in 256ths
   double low, high;
 
   // One branch, not six that nobody can foretell.
@@ -38,55 +34,50 @@ struct SquareProbe {
   }
 };
 
-// The box around a range, grown by what rounding did to its ends: across and along abreast. The same
-// operations as Grid's, hence the same places. Requires a grid.
+// The box around a range, grown by what rounding did to its ends: first across and along, last across and
+// along abreast. The same operations as Grid's, hence the same places. Requires a grid with squares, and
+// numbers that are all known (range_ends.hpp).
+template <class Lanes>
 class GridProbe {
  public:
-  GridProbe(const Grid& grid, const RangeEnds& ends) {
-    const Pair first = pair(ends.first[grid.across], ends.first[grid.along]);
-    const Pair last = pair(ends.last[grid.across], ends.last[grid.along]);
-    const Pair margin = Pair::all(2 * ends.coordinate_error), per_metre = Pair::all(grid.per_metre);
-    const Pair origin = pair(grid.origin_across, grid.origin_along);
-    first_ = (lesser(first, last) - margin - origin) * per_metre;
-    last_ = (greater(first, last) + margin - origin) * per_metre;
-    last_square_ = pair(grid.columns - 1, grid.rows - 1);
-    const double one = ends.first[grid.upward], other = ends.last[grid.upward];
-    low_ = std::min(one, other) - 2 * ends.coordinate_error;
-    high_ = std::max(one, other) + 2 * ends.coordinate_error;
+  [[gnu::always_inline]] inline GridProbe(const Grid& grid, const double* first, const double* last,
+                                          double coordinate_error) {
+    const Lanes one = Lanes::four(first[grid.across], first[grid.along], first[grid.upward], 0);
+    const Lanes other = Lanes::four(last[grid.across], last[grid.along], last[grid.upward], 0);
+    const Lanes margin = Lanes::all(2 * coordinate_error);
+    const Lanes low = lesser(one, other) - margin, high = greater(one, other) + margin;
+    const Lanes origin =
+        Lanes::four(grid.origin_across, grid.origin_along, grid.origin_across, grid.origin_along);
+    places_ = (first_halves(low, high) - origin) * Lanes::all(grid.per_metre);
+    low_ = low[2];
+    high_ = high[2];
+    const double last_column = grid.columns - 1, last_row = grid.rows - 1;
+    last_square_ = Lanes::four(last_column, last_row, last_column, last_row);
   }
 
-  Squares squares() const {
-    const Whole first = whole(lesser(greater(first_, Pair::all(0)), last_square_));
-    const Whole last = whole(lesser(greater(last_, Pair::all(0)), last_square_));
-    return {first.across, last.across, first.along, last.along};
+  [[gnu::always_inline]] inline Squares squares() const {
+    std::int32_t whole[4];
+    lesser(greater(places_, Lanes::all(0)), last_square_).store_whole(whole);
+    const auto number = [&](int lane) { return static_cast<std::uint32_t>(whole[lane]); };
+    return {number(0), number(2), number(1), number(3)};
   }
 
   // The part of it that concerns one square.
-  SquareProbe in_square(std::uint32_t column, std::uint32_t row) const {
-    const Pair square = pair(column, row);
-    const Whole first = part_of_square(first_ - square), last = part_of_square(last_ - square);
-    return {static_cast<std::uint8_t>(first.across),
-            static_cast<std::uint8_t>(last.across),
-            static_cast<std::uint8_t>(first.along),
-            static_cast<std::uint8_t>(last.along),
-            low_,
-            high_};
+  [[gnu::always_inline]] inline SquareProbe in_square(std::uint32_t column, std::uint32_t row) const {
+    const Lanes part = (places_ - Lanes::four(column, row, column, row)) * Lanes::all(256);
+    std::int32_t whole[4];
+    lesser(greater(part, Lanes::all(0)), Lanes::all(255)).store_whole(whole);
+    return {whole[0], whole[1], whole[2], whole[3], low_, high_};
   }
 
  private:
-  using Pair = OneVector<TwoDoubles>;
-  struct Whole {
-    std::uint32_t across, along;
-  };
-
-  static Pair pair(double across, double along) { return {V2d{across, along}}; }
-  static Whole whole(Pair x) { return {static_cast<std::uint32_t>(x[0]), static_cast<std::uint32_t>(x[1])}; }
-  static Whole part_of_square(Pair place) {
-    return whole(lesser(greater(place * Pair::all(256), Pair::all(0)), Pair::all(255)));
-  }
-
-  Pair first_, last_, last_square_;
+  Lanes places_, last_square_;
   double low_, high_;
 };
+
+// Whether few enough squares are under it that a search should look at those.
+[[gnu::always_inline]] inline bool is_served(const Squares& squares) {
+  return squares.count() <= most_squares;
+}
 
 }  // namespace groundtruth::fast

@@ -17,12 +17,14 @@ using V2i = std::int64_t __attribute__((vector_size(16)));
 using V4f = float __attribute__((vector_size(16)));
 using V4i = std::int32_t __attribute__((vector_size(16)));
 
-// Of two numbers, or four. greater and lesser: the second where one is NaN, or both are equal.
+// Of two numbers, or four. greater and lesser: the second where one is NaN, or both are equal. store_whole:
+// their whole parts, of numbers that have them in 32 bits.
 struct TwoDoubles {
   using Number = double;
   using Vector = V2d;
   using Mask = V2i;
   static constexpr int width = 2;
+  static Vector all(double x) { return Vector{x, x}; }
 #ifdef __SSE4_1__
   static Vector greater(Vector a, Vector b) { return _mm_max_pd(a, b); }
   static Vector lesser(Vector a, Vector b) { return _mm_min_pd(a, b); }
@@ -38,6 +40,10 @@ struct TwoDoubles {
   static Vector lesser(Vector a, Vector b) { return choose(a < b, a, b); }
   static unsigned bits(Mask mask) { return (mask[0] != 0 ? 1U : 0U) | (mask[1] != 0 ? 2U : 0U); }
 #endif
+  static void store_whole(Vector a, std::int32_t* to) {
+    to[0] = static_cast<std::int32_t>(a[0]);
+    to[1] = static_cast<std::int32_t>(a[1]);
+  }
 };
 
 struct FourFloats {
@@ -45,6 +51,7 @@ struct FourFloats {
   using Vector = V4f;
   using Mask = V4i;
   static constexpr int width = 4;
+  static Vector all(float x) { return Vector{x, x, x, x}; }
 #ifdef __SSE4_1__
   static Vector greater(Vector a, Vector b) { return _mm_max_ps(a, b); }
   static Vector lesser(Vector a, Vector b) { return _mm_min_ps(a, b); }
@@ -81,13 +88,15 @@ struct OneVector {
 
   typename Of::Vector vector;
 
-  static OneVector all(Number x) { return {typename Of::Vector{} + x}; }
+  static OneVector all(Number x) { return {Of::all(x)}; }
+  static OneVector four(Number a, Number b, Number c, Number d) { return {typename Of::Vector{a, b, c, d}}; }
   static OneVector load(const Number* from) {
     OneVector lanes;
     __builtin_memcpy(&lanes.vector, from, sizeof lanes.vector);
     return lanes;
   }
   void store(Number* to) const { __builtin_memcpy(to, &vector, sizeof vector); }
+  void store_whole(std::int32_t* to) const { Of::store_whole(vector, to); }
   Number operator[](int lane) const { return vector[lane]; }
 
   friend OneVector operator+(OneVector a, OneVector b) { return {a.vector + b.vector}; }
@@ -104,6 +113,11 @@ struct OneVector {
   }
   friend OneVector greater(OneVector a, OneVector b) { return {Of::greater(a.vector, b.vector)}; }
   friend OneVector lesser(OneVector a, OneVector b) { return {Of::lesser(a.vector, b.vector)}; }
+
+  // Of four: the first two of each.
+  friend OneVector first_halves(OneVector a, OneVector b) {
+    return {__builtin_shufflevector(a.vector, b.vector, 0, 1, 4, 5)};
+  }
 
   Number greatest() const {
     const OneVector best = greater(*this, halves_swapped());
@@ -141,10 +155,17 @@ struct TwoVectors {
   Half low, high;
 
   static TwoVectors all(Number x) { return {Half::all(x), Half::all(x)}; }
+  static TwoVectors four(Number a, Number b, Number c, Number d) {
+    return {{typename Of::Vector{a, b}}, {typename Of::Vector{c, d}}};
+  }
   static TwoVectors load(const Number* from) { return {Half::load(from), Half::load(from + Of::width)}; }
   void store(Number* to) const {
     low.store(to);
     high.store(to + Of::width);
+  }
+  void store_whole(std::int32_t* to) const {
+    low.store_whole(to);
+    high.store_whole(to + Of::width);
   }
   Number operator[](int lane) const { return lane < Of::width ? low[lane] : high[lane - Of::width]; }
 
@@ -166,6 +187,8 @@ struct TwoVectors {
   friend TwoVectors lesser(TwoVectors a, TwoVectors b) {
     return {lesser(a.low, b.low), lesser(a.high, b.high)};
   }
+
+  friend TwoVectors first_halves(TwoVectors a, TwoVectors b) { return {a.low, b.low}; }
 
   Number greatest() const { return greater(low, high).greatest(); }
   Number least() const { return lesser(low, high).least(); }

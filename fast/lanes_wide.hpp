@@ -18,6 +18,7 @@ struct FourDoubles {
   using Vector = V4d;
   using Mask = V4l;
   static constexpr int width = 4;
+  static Vector all(double x) { return Vector{x, x, x, x}; }
   static Vector greater(Vector a, Vector b) { return _mm256_max_pd(a, b); }
   static Vector lesser(Vector a, Vector b) { return _mm256_min_pd(a, b); }
   static Vector choose(Mask where, Vector a, Vector b) {
@@ -26,6 +27,9 @@ struct FourDoubles {
   static unsigned bits(Mask mask) {
     return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Vector>(mask)));
   }
+  static void store_whole(Vector a, std::int32_t* to) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(a));
+  }
 };
 
 struct EightFloats {
@@ -33,6 +37,7 @@ struct EightFloats {
   using Vector = V8f;
   using Mask = V8i;
   static constexpr int width = 8;
+  static Vector all(float x) { return Vector{x, x, x, x, x, x, x, x}; }
   static Vector greater(Vector a, Vector b) { return _mm256_max_ps(a, b); }
   static Vector lesser(Vector a, Vector b) { return _mm256_min_ps(a, b); }
   static Vector choose(Mask where, Vector a, Vector b) {
@@ -49,6 +54,7 @@ struct TwoFusedDoubles {
   using Vector = V2d;
   using Mask = V2i;
   static constexpr int width = 2;
+  static Vector all(double x) { return Vector{x, x}; }
   static Vector greater(Vector a, Vector b) { return _mm_max_pd(a, b); }
   static Vector lesser(Vector a, Vector b) { return _mm_min_pd(a, b); }
 };

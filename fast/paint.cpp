@@ -1,6 +1,8 @@
 #include <groundtruth/fast/paint.hpp>
 
-#include <boost/container/small_vector.hpp>
+#include <algorithm>
+#include <cmath>
+
 #include <groundtruth/fast/exact_stage/entry.hpp>
 
 namespace groundtruth::fast {
@@ -79,25 +81,49 @@ class RegionView {
   const HalfSpace& face_;
 };
 
-// Lemma hit-outside-box (proofs-notes/rounding.md): the hit's coordinate is off by at most 4 u (|x| + |y|)
-// and the ends' own error.
-bool is_outside(const Box& box, const Probe& probe, const HitPlace& place) {
+// The box in which the hit certainly lies. Lemma hit-outside-box (proofs-notes/rounding.md): a coordinate is
+// off by at most 4 u (|x| + |y|) and the ends' own error.
+Box box_around_hit(const Probe& probe, const HitPlace& place) {
+  Box box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double x = probe.ends().first[axis], y = probe.ends().last[axis];
     const double error =
         0x8p-53 * (std::abs(x) + std::abs(y)) + 0x1.01p0 * probe.ends().coordinate_error + 0x1p-1000;
     const double at_lower = x + place.lower * (y - x), at_upper = x + place.upper * (y - x);
-    if ((at_lower + error < box.low[axis] && at_upper + error < box.low[axis]) ||
-        (at_lower - error > box.high[axis] && at_upper - error > box.high[axis]))
-      return true;
+    box.low[axis] = std::min(at_lower, at_upper) - error;
+    box.high[axis] = std::max(at_lower, at_upper) + error;
   }
-  return false;
+  return box;
 }
 
-Membership member_by_doubles(const Scene& scene, std::uint32_t region, const Probe& probe,
-                             const HitPlace& place) {
-  if (is_outside(scene.region_boxes()[region], probe, place)) return Membership::no;
-  return RegionView(scene.regions()[region], probe, place, place.face.half_space).of_whole();
+// Without branches: which side a hit is of is hard to foretell.
+bool are_apart(const Box& a, const Box& b) {
+  bool apart = false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    apart |= (a.high[axis] < b.low[axis]) | (a.low[axis] > b.high[axis]);
+  return apart;
+}
+
+// Is the hit in this region or that?
+class HitView {
+ public:
+  HitView(const Scene& scene, const Probe& probe, const HitPlace& place)
+      : scene_(scene), probe_(probe), place_(place), around_(box_around_hit(probe, place)) {}
+
+  Membership of(std::uint32_t region) const {
+    if (are_apart(around_, scene_.region_boxes()[region])) return Membership::no;
+    return RegionView(scene_.regions()[region], probe_, place_, place_.face.half_space).of_whole();
+  }
+
+ private:
+  const Scene& scene_;
+  const Probe& probe_;
+  const HitPlace& place_;
+  const Box around_;
+};
+
+std::optional<HalfSpace> crossed_at(const HitPlace& place) {
+  return place.crossed == nullptr ? std::nullopt : std::optional(*place.crossed);
 }
 
 std::optional<std::uint32_t> innermost_rule(const Scene& scene, const Face& face) {
@@ -110,15 +136,16 @@ std::optional<std::uint32_t> innermost_rule(const Scene& scene, const Face& face
 FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk& ask, const HitPlace& place) {
   // Rules are linked from the innermost outwards, and the outermost that holds decides.
   FaceMaterial found;
+  const HitView hit(scene, probe, place);
   for (auto at = innermost_rule(scene, place.face); at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
     if (rule.region) {
       const Expression& region = scene.regions()[*rule.region];
-      Membership member = member_by_doubles(scene, *rule.region, probe, place);
+      Membership member = hit.of(*rule.region);
       if (member == Membership::open) {
         found.stage = Stage::exact;
         const exact_stage::ExpressionView view{region.nodes, region.leaves, {}};
-        member = exact_stage::contains(view, ask, place.crossed) ? Membership::yes : Membership::no;
+        member = exact_stage::contains(view, ask, crossed_at(place)) ? Membership::yes : Membership::no;
       }
       if (member == Membership::no) continue;
     }
@@ -130,10 +157,10 @@ FaceMaterial material_at(const Scene& scene, const Probe& probe, const EntryAsk&
 std::optional<std::optional<MaterialIndex>> material_by_doubles(const Scene& scene, const Probe& probe,
                                                                 const HitPlace& place) {
   std::optional<MaterialIndex> material;
+  const HitView hit(scene, probe, place);
   for (auto at = innermost_rule(scene, place.face); at; at = scene.rules()[*at].outer_rule) {
     const MaterialRule& rule = scene.rules()[*at];
-    const Membership member =
-        rule.region ? member_by_doubles(scene, *rule.region, probe, place) : Membership::yes;
+    const Membership member = rule.region ? hit.of(*rule.region) : Membership::yes;
     if (member == Membership::open) return std::nullopt;
     if (member == Membership::yes) material = rule.material;
   }

@@ -18,12 +18,13 @@ inline std::optional<std::optional<MaterialIndex>> sure_material(const Face& fac
   return MaterialIndex{material};
 }
 
-// Where a range meets the solid: at lower <= s <= upper, on the border of a face.
+// Where a range meets the solid: at lower <= s <= upper, on the border of a face. A view: a processor waits
+// where what was just written is copied.
 struct HitPlace {
-  double lower = 0;
-  double upper = 1;
-  Face face;                         // the canonical one
-  std::optional<HalfSpace> crossed;  // one that the range crosses there; absent: the range's start
+  double lower;
+  double upper;
+  const Face& face;          // the canonical one
+  const HalfSpace* crossed;  // one that the range crosses there; null: the range's start
 };
 
 struct FaceMaterial {

@@ -15,9 +15,9 @@ constexpr std::size_t most_bytes_of_cell = 2 * sizeof(HalfSpaces4);
 Prefetcher::Prefetcher(const Scene& scene, const RangeEnds& ends) : scene_(scene) {
   const Grid& grid = scene.parts().grid;
   if (grid.rows == 0) return;
-  const GridProbe near(grid, ends);
+  const GridProbe<Lanes> near(grid, ends.first.data(), ends.last.data(), ends.coordinate_error);
   const Squares squares = near.squares();
-  if (!is_served(grid, squares)) return;
+  if (!is_served(squares)) return;
   has_square_ = true;
   here_ = near.in_square(squares.first_column, squares.first_row);
   square_ = std::size_t{squares.first_row} * grid.columns + squares.first_column;

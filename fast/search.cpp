@@ -5,7 +5,6 @@
 
 #include <groundtruth/fast/box_probe.hpp>
 #include <groundtruth/fast/cell_kernels.hpp>
-#include <groundtruth/fast/grid_probe.hpp>
 
 namespace groundtruth::fast {
 
@@ -50,34 +49,6 @@ void visit_all_of_hierarchy(const Parts& parts, SearchTask& task) {
     }
 }
 
-// Only a range over few squares is looked up in them: false if it is longer, or there are none.
-bool visit_squares(const Parts& parts, SearchTask& task) {
-  const Grid& grid = parts.grid;
-  if (grid.rows == 0) return false;
-  const GridProbe near(grid, task.probe.ends());
-  const Squares squares = near.squares();
-  if (!is_served(grid, squares)) return false;
-  const bool may_repeat = squares.count() > 1;
-  for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
-    for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
-      const std::uint32_t* const starts = grid.starts.data() + std::size_t{row} * grid.columns + column;
-      if (starts[0] == starts[1]) continue;
-      const GridEntry* const entries = grid.entries.data();
-      parts.kernels->visit_square(task, {entries + starts[0], entries + starts[1], may_repeat},
-                                  near.in_square(column, row));
-      if (task.result.starts_inside) return true;
-    }
-  return true;
-}
-
-void visit_indexed(const Parts& parts, SearchTask& task) {
-  const RangeEnds& ends = task.probe.ends();
-  if (!(task.probe.greatest_coordinate() < greatest_box_coordinate && ends.coordinate_error < 1))
-    visit_all_of_hierarchy(parts, task);
-  else if (!visit_squares(parts, task))
-    parts.kernels->visit_hierarchy(task, parts.hierarchy.nodes.data(), BoxProbe(ends).way());
-}
-
 }  // namespace
 
 void search(const Scene& scene, const Probe& probe, SearchResult& result) {
@@ -86,28 +57,46 @@ void search(const Scene& scene, const Probe& probe, SearchResult& result) {
   SearchTask task{parts.cells.groups.data(),
                   parts.cells.cells.data(),
                   parts.cells.cells.size(),
+                  parts.apart.data(),
+                  parts.apart.data() + parts.apart.size(),
+                  parts.grid,
+                  parts.grid.starts.data(),
+                  parts.grid.entries.data(),
                   ends.first.data(),
                   ends.last.data(),
                   probe,
                   result,
                   meet_general,
                   &scene};
-  if (!parts.apart.empty())
-    parts.kernels->visit_parts(task, parts.apart.data(), parts.apart.data() + parts.apart.size());
-  if (!parts.hierarchy.nodes.empty() && !result.starts_inside) visit_indexed(parts, task);
+  if (parts.kernels->visit_near(task) == Left::hierarchy && !parts.hierarchy.nodes.empty()) {
+    if (suit_boxes(probe.greatest_coordinate(), ends.coordinate_error))
+      parts.kernels->visit_hierarchy(task, parts.hierarchy.nodes.data(), BoxProbe(ends).way());
+    else
+      visit_all_of_hierarchy(parts, task);
+  }
   result.drop_late_ones();
 }
 
+namespace {
+
+// Apart, so that a cell's face need not make room for it.
+[[gnu::noinline]] Face sole_face_of_general(const Scene& scene, const Probe& probe,
+                                            const Contender& contender) {
+  SievedExpression sieved;
+  sieve(scene.solid(), scene.solid().nodes.data() + scene.parts().node_of(contender.part), probe, sieved);
+  const Leaf leaf = sole_leaf(sieved, contender.meeting);
+  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf], {}};
+}
+
+}  // namespace
+
 Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result) {
   if (result.contenders.size() != 1) return {};
-  const auto& [part, meeting] = result.contenders.front();
-  if (!meeting.certainly_hits()) return {};
-  const Parts& parts = scene.parts();
-  if (parts.is_cell(part)) return sole_face(parts.cells, parts.cells.cells[part], meeting);
-  SievedExpression sieved;
-  sieve(scene.solid(), scene.solid().nodes.data() + parts.node_of(part), probe, sieved);
-  const Leaf leaf = sole_leaf(sieved, meeting);
-  return leaf == no_leaf ? Face{} : Face{leaf, scene.solid().leaves[leaf], {}};
+  const Contender& sole = result.contenders.front();
+  if (!sole.meeting.certainly_hits()) return {};
+  const PackedCells& cells = scene.parts().cells;
+  if (!scene.parts().is_cell(sole.part)) return sole_face_of_general(scene, probe, sole);
+  return sole_face(cells, cells.cells[sole.part], sole.meeting);
 }
 
 }  // namespace groundtruth::fast

@@ -29,19 +29,17 @@ struct SearchTask {
   const HalfSpaces4* groups;
   const Cell* cells;
   std::size_t cell_count;  // parts from here on are general ones
-  const double* first;     // the range's ends
+  const Part* apart;
+  const Part* apart_end;
+  const Grid& grid;
+  const std::uint32_t* starts;  // of the grid's squares
+  const GridEntry* entries;
+  const double* first;  // the range's ends
   const double* last;
   const Probe& probe;  // of that range
   SearchResult& result;
   Meeting (*meet_general)(const SearchTask& task, Part part);
   const void* context;  // of meet_general
-};
-
-// A square's entries. `may_repeat`: other squares, which the range is over as well, may name the same parts.
-struct SquareEntries {
-  const GridEntry* first;
-  const GridEntry* end;
-  bool may_repeat;
 };
 
 }  // namespace groundtruth::fast

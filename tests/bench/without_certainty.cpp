@@ -54,9 +54,9 @@ class PlainSearch {
   bool visit_squares() {
     const fast::Grid& grid = parts_.grid;
     if (grid.rows == 0) return false;
-    const fast::GridProbe near(grid, ends_);
+    const fast::GridProbe<Lanes> near(grid, from_.data(), to_.data(), 0);
     const fast::Squares squares = near.squares();
-    if (!fast::is_served(grid, squares)) return false;
+    if (!fast::is_served(squares)) return false;
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::size_t square = std::size_t{row} * grid.columns + column;
