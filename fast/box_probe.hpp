@@ -18,16 +18,15 @@ class BoxProbe {
  public:
   explicit BoxProbe(const RangeEnds& ends) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double from = ends.first[axis], way = ends.last[axis] - from;
+      const double from = ends.first[axis], way = ends.last[axis] - from + 0.0;  // no -0
       const double pad = 0x1p-20 * (std::abs(from) + std::abs(way)) + 8 * ends.coordinate_error + 1e-20;
-      const bool is_ascending = way >= 0;
       constexpr double shortest_way = 1e-30;
-      const double inverse =
-          std::abs(way) > shortest_way ? 1 / way : (is_ascending ? 1 / shortest_way : -1 / shortest_way);
-      way_.inverse[axis] = static_cast<float>(inverse);
-      way_.near_origin[axis] = static_cast<float>(is_ascending ? from + pad : from - pad);
-      way_.far_origin[axis] = static_cast<float>(is_ascending ? from - pad : from + pad);
-      way_.is_ascending[axis] = is_ascending;
+      const double long_enough = std::copysign(std::max(std::abs(way), shortest_way), way);
+      const double pad_along = std::copysign(pad, way);
+      way_.inverse[axis] = static_cast<float>(1 / long_enough);
+      way_.near_origin[axis] = static_cast<float>(from + pad_along);
+      way_.far_origin[axis] = static_cast<float>(from - pad_along);
+      way_.is_ascending[axis] = way >= 0;
     }
   }
 

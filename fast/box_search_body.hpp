@@ -57,17 +57,26 @@ unsigned meet_eight_boxes(const BoxNode& node, const BoxWay& way, float upper, f
 template <class FloatLanes>
 class OpenChildren {
  public:
-  [[gnu::always_inline]] inline void push(const float* nearest, const std::uint32_t* children, unsigned met) {
-    std::uint64_t* const below = end_;
+  // `fetch` asks the memory for a child. Each goes to its place by counting those before it: which of two is
+  // nearer nobody can foretell.
+  template <class Fetch>
+  [[gnu::always_inline]] inline void push(const float* nearest, const std::uint32_t* children, unsigned met,
+                                          const Fetch& fetch) {
+    std::uint64_t added[BoxNode::width];
+    int count = 0;
     for (; met != 0; met &= met - 1) {
       const int child = __builtin_ctz(met);
       std::uint32_t bits;
       __builtin_memcpy(&bits, nearest + child, sizeof bits);
-      const std::uint64_t one = std::uint64_t{bits} << 32 | children[child];
-      std::uint64_t* at = end_++;
-      for (; at != below && at[-1] < one; --at) *at = at[-1];
-      *at = one;
+      added[count++] = std::uint64_t{bits} << 32 | children[child];
+      fetch(children[child]);
     }
+    for (int i = 0; i < count; ++i) {
+      int place = 0;
+      for (int j = 0; j < count; ++j) place += added[j] > added[i];
+      end_[place] = added[i];
+    }
+    end_ += count;
   }
   // The next one's number, if there is one that may be met no later than `upper`.
   [[gnu::always_inline]] inline bool pop(double upper, std::uint32_t& child) {

@@ -60,8 +60,7 @@ class PartSearch {
       float nearest[BoxNode::width];
       const auto upper = static_cast<float>(task_.result.upper * (1 + 0x1p-20));
       const unsigned met = boxes.meet(node, upper, nearest);
-      fetch(nodes, node.children, met);
-      open.push(nearest, node.children, met);
+      open.push(nearest, node.children, met, [&](std::uint32_t next) { fetch(nodes, next); });
     } while (open.pop(task_.result.upper, child));
   }
 
@@ -71,28 +70,40 @@ class PartSearch {
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::uint32_t* const starts = task_.starts + std::size_t{row} * task_.grid.columns + column;
-        if (starts[0] == starts[1]) continue;
+        const GridEntry *first = task_.entries + starts[0], *const end = task_.entries + starts[1];
+        if (first == end) continue;
         const SquareProbe here = near.in_square(column, row);
-        for (const GridEntry* at = task_.entries + starts[0]; at != task_.entries + starts[1]; ++at) {
-          // Other squares may name the same parts.
-          if (!here.reaches(*at) || (may_repeat && task_.result.contenders.has(at->part))) continue;
-          if (!visit(at->part)) return;
-        }
+        for (; first != end; first += few_entries < end - first ? few_entries : end - first)
+          if (!visit_few(here, first, few_entries < end - first ? first + few_entries : end, may_repeat))
+            return;
       }
   }
 
-  // Asks the memory for what will be looked at, so that one wait serves them all.
-  [[gnu::always_inline]] inline void fetch(const BoxNode* nodes, const std::uint32_t* children,
-                                           unsigned met) const {
-    for (; met != 0; met &= met - 1) {
-      const std::uint32_t child = children[__builtin_ctz(met)];
-      if (child >= BoxNode::first_part) {
-        __builtin_prefetch(task_.cells + (child - BoxNode::first_part));
-        continue;
-      }
-      const char* const bytes = reinterpret_cast<const char*>(nodes + child);
-      for (std::size_t at = 0; at < sizeof(BoxNode); at += 64) __builtin_prefetch(bytes + at);
+  // At most few_entries. First those that are reached are gathered: which ones are nobody can foretell.
+  [[gnu::always_inline]] inline bool visit_few(const SquareProbe& here, const GridEntry* entry,
+                                               const GridEntry* end, bool may_repeat) {
+    Part reached[few_entries];
+    std::size_t count = 0;
+    for (; entry != end; ++entry) {
+      reached[count] = entry->part;
+      count += here.reaches(*entry);
     }
+    for (std::size_t i = 0; i < count; ++i) {
+      // Other squares may name the same parts.
+      if (may_repeat && task_.result.contenders.has(reached[i])) continue;
+      if (!visit(reached[i])) return false;
+    }
+    return true;
+  }
+
+  // Asks the memory for what will be looked at, so that one wait serves all children of a node.
+  [[gnu::always_inline]] inline void fetch(const BoxNode* nodes, std::uint32_t child) const {
+    if (child >= BoxNode::first_part) {
+      __builtin_prefetch(task_.cells + (child - BoxNode::first_part));
+      return;
+    }
+    const char* const bytes = reinterpret_cast<const char*>(nodes + child);
+    for (std::size_t at = 0; at < sizeof(BoxNode); at += 64) __builtin_prefetch(bytes + at);
   }
 
   [[gnu::always_inline]] inline Meeting meet(const Cell& cell) const {
@@ -105,6 +116,8 @@ class PartSearch {
     const EndLanes<Lanes> ends(task_.first, task_.last);
     return meet_groups<Lanes>(first, first + (cell.leaf_count + 3) / 4, ends, error, task_.result.upper);
   }
+
+  static constexpr std::ptrdiff_t few_entries = 16;
 
   SearchTask& task_;
 };
