@@ -52,7 +52,7 @@ Lemma stretches_share_a_square : forall first last low high, first <= last -> lo
     /\ part_of_square low square <= part_of_square last square /\ part_of_square first square <= part_of_square high square)%Z.
 Proof.
   intros first last low high ordered box_ordered one other. exists (Z.max (square_of first) (square_of low)).
-  assert (forall x y, x <= y -> (square_of x <= square_of y)%Z) as monotone by (intros; now apply whole_is_monotone, place_is_monotone).
+  assert (forall x y, x <= y -> (square_of x <= square_of y)%Z) as monotone by (intros; unfold square_of; apply whole_is_monotone; now apply place_is_monotone).
   pose proof (monotone _ _ ordered). pose proof (monotone _ _ box_ordered). pose proof (monotone _ _ one). pose proof (monotone _ _ other).
   repeat split; try lia; now apply part_is_monotone.
 Qed.
