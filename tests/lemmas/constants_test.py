@@ -73,6 +73,20 @@ EXPRESSIONS = [
     ("fast/box_probe.hpp", "constexpr double shortest_way = 1e-30;"),
     ("fast/box_probe.hpp", "static_cast<float>(is_ascending ? from + pad : from - pad);"),
     ("fast/box_probe.hpp", "static_cast<float>(is_ascending ? from - pad : from + pad);"),
+    ("fast/grid.hpp", "const double place = (x - origin) * per_metre; if (!(place > 0)) return 0;"
+                      " return place < count ? static_cast<std::uint32_t>(place) : count - 1;"),
+    ("fast/grid.hpp", "const double part = ((x - origin) * per_metre - square) * 256; if (!(part > 0)) return 0;"
+                      " return part < 255 ? static_cast<std::uint8_t>(part) : 255;"),
+    ("fast/grid_probe.hpp", "margin = Pair::all(2 * ends.coordinate_error)"),
+    ("fast/grid_probe.hpp", "first_ = (lesser(first, last) - margin - origin) * per_metre;"
+                            " last_ = (greater(first, last) + margin - origin) * per_metre;"),
+    ("fast/grid_probe.hpp", "low_ = std::min(one, other) - 2 * ends.coordinate_error;"
+                            " high_ = std::max(one, other) + 2 * ends.coordinate_error;"),
+    ("fast/grid_probe.hpp", "whole(lesser(greater(place * Pair::all(256), Pair::all(0)), Pair::all(255)))"),
+    ("fast/hierarchy.cpp", "const auto rounded = static_cast<float>(x);"
+                           " return double{rounded} <= x ? rounded : std::nextafter(rounded, -greatest_float);"),
+    ("fast/exact_stage/strut.cpp", "ends.coordinate_error = 0x1p-53 * ends.greatest_coordinate() + 0x1p-1000;"),
+    ("fast/step_strut.hpp", "const double error = component.error() + 0x1p-52 * std::abs(end[axis]);"),
     ("fast/search_kernels_body.hpp", "way.inverse[axis] * (1 + 0x1p-20F)"),
     ("fast/search_kernels_body.hpp", "near = greater((near_side - at.near_origin) * at.inverse, near);"),
     ("fast/search_kernels_body.hpp", "far = lesser((far_side - at.far_origin) * at.stretched, far);"),

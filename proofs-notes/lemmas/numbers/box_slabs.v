@@ -4,51 +4,9 @@
    overflows where coordinates are below 2^60, but for far positions, which may then be infinite. *)
 
 From Coq Require Import Reals Psatz.
-From Flocq Require Import Core Relative Plus_error.
-From Groundtruth Require Import doubles.
+From Flocq Require Import Core.
+From Groundtruth Require Import doubles floats.
 Open Scope R_scope.
-
-Definition is_float := generic_format radix2 (FLT_exp (-149) 24).
-Definition to_float := round radix2 (FLT_exp (-149) 24) ZnearestE.
-Definition v := / 16777216. (* 2^-24 *)
-Definition small := bpow radix2 (-150).
-
-#[export] Instance positive_float_precision : Prec_gt_0 24 := eq_refl.
-
-Lemma small_is_small : 0 < small <= / 1000000000000000000000000000000000000000000.
-Proof. split; [apply bpow_gt_0 | unfold small; simpl; lra]. Qed.
-
-Lemma to_float_is_float : forall x, is_float (to_float x).
-Proof. intros; apply generic_format_round; [now apply FLT_exp_valid | apply valid_rnd_N]. Qed.
-
-Lemma float_error : forall x, Rabs (to_float x - x) <= v * Rabs x + small.
-Proof.
-  intros x; destruct (error_N_FLT radix2 (-149) 24 ltac:(easy) (fun z => negb (Z.even z)) x)
-    as (e & t & He & Ht & _ & rounded).
-  unfold to_float; rewrite rounded.
-  replace (x * (1 + e) + t - x) with (e * x + t) by ring.
-  apply Rle_trans with (1 := Rabs_triang _ _); apply Rplus_le_compat.
-  - rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
-    apply Rle_trans with (1 := He); unfold v; simpl; lra.
-  - apply Rle_trans with (1 := Ht); unfold small; change (-150)%Z with (-1 + -149)%Z; rewrite bpow_plus.
-    change (bpow radix2 (-1)) with (/ 2); lra.
-Qed.
-
-Lemma float_sum_error : forall x y, is_float x -> is_float y -> Rabs (to_float (x + y) - (x + y)) <= v * Rabs (x + y).
-Proof.
-  intros x y Hx Hy.
-  destruct (FLT_plus_error_N_ex radix2 (-149) 24 (fun z => negb (Z.even z)) x y Hx Hy) as (e & He & rounded).
-  unfold to_float; rewrite rounded.
-  replace ((x + y) * (1 + e) - (x + y)) with (e * (x + y)) by ring.
-  rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
-  apply Rle_trans with (1 := He); unfold u_ro, v; simpl; lra.
-Qed.
-
-Lemma to_float_sign : forall x, (0 <= x -> 0 <= to_float x) /\ (x <= 0 -> to_float x <= 0).
-Proof.
-  assert (to_float 0 = 0) as zero by (apply round_generic; [apply valid_rnd_N | apply generic_format_0]).
-  split; intros; rewrite <- zero; apply round_le; trivial; try apply valid_rnd_N; now apply FLT_exp_valid.
-Qed.
 
 Definition delta := / 1048576. (* 0x1p-20 *)
 (* 1e-20 and 1e-30 of the code are doubles near them. *)

@@ -5,6 +5,46 @@ From Coq Require Import Reals Psatz.
 From Flocq Require Import Core Relative Plus_error.
 Open Scope R_scope.
 
+(* In any format with gradual underflow: doubles here, floats in floats.v. *)
+Section Format.
+
+Variables lowest precision : Z.
+Hypothesis some_precision : Prec_gt_0 precision.
+Let nearest := round radix2 (FLT_exp lowest precision) ZnearestE.
+Let belongs := generic_format radix2 (FLT_exp lowest precision).
+
+Lemma nearest_error : forall x, Rabs (nearest x - x) <= bpow radix2 (- precision) * Rabs x + bpow radix2 (lowest - 1).
+Proof.
+  intros x; destruct (error_N_FLT radix2 lowest precision some_precision (fun z => negb (Z.even z)) x)
+    as (e & t & He & Ht & _ & rounded).
+  unfold nearest; rewrite rounded.
+  replace (x * (1 + e) + t - x) with (e * x + t) by ring.
+  apply Rle_trans with (1 := Rabs_triang _ _); apply Rplus_le_compat.
+  - rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
+    apply Rle_trans with (1 := He); rewrite bpow_plus; change (bpow radix2 1) with 2; lra.
+  - apply Rle_trans with (1 := Ht); replace (lowest - 1)%Z with (-1 + lowest)%Z by ring; rewrite bpow_plus;
+    change (bpow radix2 (-1)) with (/ 2); lra.
+Qed.
+
+Lemma nearest_sum_error : forall x y, belongs x -> belongs y ->
+  Rabs (nearest (x + y) - (x + y)) <= bpow radix2 (- precision) * Rabs (x + y).
+Proof.
+  intros x y Hx Hy.
+  destruct (FLT_plus_error_N_ex radix2 lowest precision (fun z => negb (Z.even z)) x y Hx Hy) as (e & He & rounded).
+  unfold nearest; rewrite rounded.
+  replace ((x + y) * (1 + e) - (x + y)) with (e * (x + y)) by ring.
+  rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
+  apply Rle_trans with (1 := He).
+  assert (0 < u_ro radix2 precision) by (unfold u_ro; pose proof (bpow_gt_0 radix2 (- precision + 1)); lra).
+  apply Rmult_le_reg_r with (1 + u_ro radix2 precision); [lra |].
+  replace (u_ro radix2 precision / (1 + u_ro radix2 precision) * (1 + u_ro radix2 precision)) with (u_ro radix2 precision) by (field; lra).
+  replace (bpow radix2 (- precision)) with (u_ro radix2 precision)
+    by (unfold u_ro; rewrite bpow_plus; change (bpow radix2 1) with 2; field).
+  nra.
+Qed.
+
+End Format.
+
 Definition is_double := generic_format radix2 (FLT_exp (-1074) 53).
 Definition fl := round radix2 (FLT_exp (-1074) 53) ZnearestE.
 Definition u := / 9007199254740992. (* 2^-53 *)
@@ -25,27 +65,10 @@ Lemma tiny_positive : 0 < tiny.
 Proof. apply bpow_gt_0. Qed.
 
 Lemma fl_error : forall x, Rabs (fl x - x) <= u * Rabs x + tiny.
-Proof.
-  intros x; destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun z => negb (Z.even z)) x)
-    as (e & t & He & Ht & _ & rounded).
-  unfold fl; rewrite rounded.
-  replace (x * (1 + e) + t - x) with (e * x + t) by ring.
-  apply Rle_trans with (1 := Rabs_triang _ _); apply Rplus_le_compat.
-  - rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
-    apply Rle_trans with (1 := He); unfold u; simpl; lra.
-  - apply Rle_trans with (1 := Ht); unfold tiny; change (-1075)%Z with (-1 + -1074)%Z; rewrite bpow_plus.
-    change (bpow radix2 (-1)) with (/ 2); lra.
-Qed.
+Proof. exact (nearest_error (-1074) 53 eq_refl). Qed.
 
 Lemma sum_error : forall x y, is_double x -> is_double y -> Rabs (fl (x + y) - (x + y)) <= u * Rabs (x + y).
-Proof.
-  intros x y Hx Hy.
-  destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun z => negb (Z.even z)) x y Hx Hy) as (e & He & rounded).
-  unfold fl; rewrite rounded.
-  replace ((x + y) * (1 + e) - (x + y)) with (e * (x + y)) by ring.
-  rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos |].
-  apply Rle_trans with (1 := He); unfold u_ro, u; simpl; lra.
-Qed.
+Proof. exact (nearest_sum_error (-1074) 53 eq_refl). Qed.
 
 Lemma sum_error_of_rounded : forall x y, is_double x -> is_double y -> Rabs (fl (x + y) - (x + y)) <= u * Rabs (fl (x + y)).
 Proof.

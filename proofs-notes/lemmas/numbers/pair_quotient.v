@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core Sterbenz.
-From Groundtruth Require Import doubles pair_sum pair_product quotient quick_pairs.
+From Groundtruth Require Import doubles pair_sum pair_product quotient corrections.
 Open Scope R_scope.
 
 (* Nearly equal doubles: their difference is one, and two_sum leaves nothing. *)
@@ -46,28 +46,17 @@ Theorem pair_quotient_error : Rabs (first + c - (ah + al) / (bh + bl)) <= pair_u
 Proof.
   set (H := Rabs ah) in *. assert (0 < H) by now apply Rabs_pos_lt. assert (0 < Rabs bh) by now apply Rabs_pos_lt.
   pose proof tiny_positive. assert (0 < u) by (unfold u; lra).
-  assert (u * u * u * H <= / 1000 * (u * u * H)) as cube.
-  { replace (u * u * u * H) with (u * (u * u * H)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (0 < u * H) by (apply Rmult_lt_0_compat; lra). assert (0 < u * u * H) by (repeat apply Rmult_lt_0_compat; lra).
-  set (Z := u * u * H) in *. set (W := u * H) in *. assert (Z = u * W) as ZW by (unfold Z, W; ring).
-  assert (Z <= / 1000000 * W) as second by (rewrite ZW; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  assert (W <= / 1000000 * H) as first_ by (unfold W; apply Rmult_le_compat_r; [lra | unfold u; lra]).
+  destruct (orders H ltac:(assumption)) as (W_pos & Z_pos & ZW & first_ & second & cube).
+  set (W := u * H) in *. set (Z := u * u * H) in *.
   pose proof (fl_error (ah / bh)) as f_near. fold first in f_near.
   assert (Rabs (first * bh - ah) <= (1 + / 1000) * W) as fb_near.
   { replace (first * bh - ah) with ((first - ah / bh) * bh) by (field; assumption). rewrite Rabs_mult.
     apply Rle_trans with ((u * Rabs (ah / bh) + tiny) * Rabs bh); [apply Rmult_le_compat_r; lra |].
     assert (Rabs (ah / bh) * Rabs bh = H) as whole by (rewrite <- Rabs_mult; unfold H; f_equal; field; assumption).
     replace ((u * Rabs (ah / bh) + tiny) * Rabs bh) with (u * (Rabs (ah / bh) * Rabs bh) + tiny * Rabs bh) by ring. rewrite whole. fold W. lra. }
-  assert (Rabs (first * bh) <= (1 + / 1000) * H) as fb_size.
-  { replace (first * bh) with (ah + (first * bh - ah)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). fold H. lra. }
-  pose proof (fl_error (first * bh)) as p_near. fold p in p_near. pose proof (scaled _ _ u ltac:(lra) fb_size).
-  pose proof (fl_error (first * bl)) as y_near. set (y := fl (first * bl)) in *.
-  assert (Rabs (first * bl) <= (1 + / 1000) * W) as y_size.
-  { rewrite Rabs_mult. apply Rle_trans with (Rabs first * (u * Rabs bh)); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption] |].
-    replace (Rabs first * (u * Rabs bh)) with (u * Rabs (first * bh)) by (rewrite Rabs_mult; ring). unfold W; lra. }
-  pose proof (scaled _ _ u ltac:(lra) y_size).
-  assert (Rabs (y - first * bl) <= (1 + / 100) * Z) as y_off by (unfold W, Z in *; lra).
-  assert (Rabs (first * bh - p) <= (1 + / 500) * W) as e_size by (rewrite (Rabs_minus_sym _ p); unfold W in *; lra).
+  destruct (first_products ah bh bl first) as (fb_size & p_near & y_size & y_off); trivial; [fold H W; lra |].
+  fold H p W Z in fb_size, p_near, y_size, y_off. set (y := fl (first * bl)) in *.
+  assert (Rabs (first * bh - p) <= (1 + / 500) * W) as e_size by now rewrite Rabs_minus_sym.
   assert (Rabs lost <= (1 + / 400) * W) as lost_size.
   { replace lost with ((lost - (first * bh - p)) + (first * bh - p)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). unfold W, Z in *; lra. }
   assert (Rabs y <= (1 + / 500) * W) as yy by (replace y with (first * bl + (y - first * bl)) by ring; apply Rle_trans with (1 := Rabs_triang _ _); lra).
@@ -136,26 +125,11 @@ Proof.
     assert (Rabs (high / bh) * Rabs bh = Rabs high) as whole by (rewrite <- Rabs_mult; f_equal; field; assumption).
     replace ((u * Rabs (high / bh) + tiny) * Rabs bh) with (u * (Rabs (high / bh) * Rabs bh) + tiny * Rabs bh) by ring. rewrite whole.
     pose proof (scaled _ _ u ltac:(lra) h_size). rewrite ZW in *; lra. }
-  assert (Rabs (c * bl) <= (3 + / 2) * Z) as cb.
-  { rewrite Rabs_mult. apply Rle_trans with (Rabs c * (u * Rabs bh)); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption] |].
-    replace (Rabs c * (u * Rabs bh)) with (u * Rabs (c * bh)) by (rewrite Rabs_mult; ring).
-    assert (Rabs (c * bh) <= (3 + / 5) * W) as cs.
-    { replace (c * bh) with ((c * bh - high) + high) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-    pose proof (scaled _ _ u ltac:(lra) cs). rewrite ZW; lra. }
-  (* together *)
-  assert (bh + bl <> 0) as some.
-  { intros zero. assert (bh = - bl) as e by lra. rewrite e, Rabs_Ropp in *. pose proof (Rabs_pos bl). unfold u in *; nra. }
-  assert (0 < Rabs (bh + bl)) by now apply Rabs_pos_lt.
-  assert (Rabs ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) <= (15 + / 2) * Z) as total.
-  { replace ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) with ((c * bh - high) + (high - g) + c * bl) by (unfold g; field; assumption).
-    apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (Rabs (c * bh - high + (high - g)) <= Rabs (c * bh - high) + Rabs (high - g)) by apply Rabs_triang. lra. }
-  assert (pair_unit = 16 * u * u) as -> by (unfold pair_unit, u; simpl; lra).
-  rewrite Rabs_mult in total. apply Rmult_le_reg_r with (Rabs (bh + bl)); [assumption |]. apply Rle_trans with (1 := total).
-  rewrite Rmult_assoc, <- Rabs_mult. replace ((ah + al) / (bh + bl) * (bh + bl)) with (ah + al) by (field; assumption).
-  assert (H <= Rabs (ah + al) + Rabs al) by (unfold H; replace ah with (ah + al - al) at 1 by ring; apply difference_size).
-  assert (u * u * ((1 - / 1000) * H) <= u * u * Rabs (ah + al)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | unfold W in *; lra]).
-  unfold Z in *. lra.
+  assert (Rabs (c * bh - g) <= 12 * Z) as total.
+  { replace (c * bh - g) with ((c * bh - high) + (high - g)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+  apply Rle_trans with (1 := corrected_quotient ah al bh bl first a_some b_some a_tidy b_tidy ltac:(fold H W; lra) c (3 + / 40) 12
+    ltac:(lra) ltac:(lra) g_size total).
+  apply Rmult_le_compat_r; [apply Rabs_pos |]. unfold pair_unit, u; simpl; lra.
 Qed.
 End Quotient.
 

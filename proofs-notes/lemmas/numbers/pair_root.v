@@ -3,7 +3,7 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core.
-From Groundtruth Require Import doubles pair_sum quotient quick_pairs pair_quotient.
+From Groundtruth Require Import doubles pair_sum quotient corrections pair_quotient.
 Open Scope R_scope.
 
 Section Root.
@@ -23,31 +23,11 @@ Let c := fl (high / (2 * first)).
 
 Theorem pair_root_error : Rabs (first + c - sqrt (ah + al)) <= pair_unit * sqrt (ah + al).
 Proof.
-  set (H := ah) in *. pose proof tiny_positive. assert (0 < u) by (unfold u; lra).
-  set (r := sqrt H) in *. assert (0 < r) as r_pos by now apply sqrt_lt_R0.
-  assert (r * r = H) as r_square by (apply sqrt_sqrt; lra).
-  assert (u * u * u * H <= / 1000 * (u * u * H)) as cube.
-  { replace (u * u * u * H) with (u * (u * u * H)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (u * u * u * r <= / 1000 * (u * r)) as cube_r.
-  { replace (u * u * u * r) with (u * u * (u * r)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (0 < u * H) by (apply Rmult_lt_0_compat; lra). assert (0 < u * u * H) by (repeat apply Rmult_lt_0_compat; lra).
-  set (Z := u * u * H) in *. set (W := u * H) in *. assert (Z = u * W) as ZW by (unfold Z, W; ring).
-  assert (Z <= / 1000000 * W) as second by (rewrite ZW; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  assert (W <= / 1000000 * H) as first_ by (unfold W; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  (* first is near the root *)
-  pose proof (fl_error r) as f_near. fold first in f_near. rewrite (Rabs_pos_eq r) in f_near by lra.
-  assert (Rabs (first - r) <= (1 + / 1000) * u * r) as f_off by lra. apply within in f_off. clear f_near.
-  assert (0 < u * r <= / 1000000 * r) by (split; [apply Rmult_lt_0_compat; lra | apply Rmult_le_compat_r; [lra | unfold u; lra]]).
-  assert ((1 - / 1000) * r <= first <= (1 + / 1000) * r) as f_range by lra.
-  assert (Rabs (first * first - H) <= (2 + / 100) * W) as ff_near.
-  { replace (first * first - H) with ((first - r) * (first + r)) by (rewrite <- r_square; ring). rewrite Rabs_mult.
-    apply Rle_trans with ((1 + / 1000) * u * r * ((2 + / 1000) * r)).
-    - apply Rmult_le_compat; try apply Rabs_pos; [apply Rabs_le; lra | rewrite Rabs_pos_eq by lra; lra].
-    - replace ((1 + / 1000) * u * r * ((2 + / 1000) * r)) with ((1 + / 1000) * (2 + / 1000) * (u * (r * r))) by ring.
-      rewrite r_square. fold W. lra. }
-  assert (Rabs (first * first) <= (1 + / 1000) * H) as ff_size.
-  { replace (first * first) with (H + (first * first - H)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_pos_eq H) by lra. lra. }
-  pose proof (fl_error (first * first)) as p_near. fold p in p_near. pose proof (scaled _ _ u ltac:(lra) ff_size).
+  pose proof tiny_positive as tiny_pos. assert (0 < u) as u_pos by (unfold u; lra).
+  destruct (orders ah a_pos) as (W_pos & Z_pos & ZW & first_ & second & cube).
+  destruct (first_square ah a_pos no_underflow none_of_roots) as (f_range & _ & ff_near & p_near & tf_small).
+  fold first p in f_range, ff_near, p_near, tf_small. destruct (root_squared ah a_pos) as (r_pos & r_square).
+  set (H := ah) in *. set (W := u * H) in *. set (Z := u * u * H) in *.
   assert (Rabs (H - p) <= (3 + / 10) * W) as d_size.
   { replace (H - p) with (- (first * first - H) - (p - first * first)) by ring.
     apply Rle_trans with (1 := difference_size _ _). rewrite Rabs_Ropp. unfold W in *; lra. }
@@ -80,10 +60,6 @@ Proof.
   { replace high with ((high - g) + g) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
   (* c first is near g / 2 *)
   pose proof (fl_error (high / (2 * first))) as c_near. fold c in c_near.
-  assert (tiny * first <= / 10 * Z).
-  { apply Rle_trans with (u * u * u * r * ((1 + / 1000) * r)); [apply Rmult_le_compat; lra |].
-    replace (u * u * u * r * ((1 + / 1000) * r)) with ((1 + / 1000) * (u * (u * u * (r * r)))) by ring. rewrite r_square. fold Z.
-    assert (u * Z <= / 1000 * Z) by (apply Rmult_le_compat_r; [lra | unfold u; lra]). lra. }
   assert (Rabs ((c - high / (2 * first)) * first) <= 2 * Z) as cr.
   { rewrite Rabs_mult, (Rabs_pos_eq first) by lra. apply Rle_trans with ((u * Rabs (high / (2 * first)) + tiny) * first); [apply Rmult_le_compat_r; lra |].
     assert (Rabs (high / (2 * first)) * first = / 2 * Rabs high) as half.
@@ -94,31 +70,8 @@ Proof.
   assert (Rabs (c * first - / 2 * g) <= 5 * Z) as c_off.
   { replace (c * first - / 2 * g) with ((c - high / (2 * first)) * first + / 2 * (high - g)) by (field; lra).
     apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_mult (/ 2)), (Rabs_pos_eq (/ 2)) by lra. lra. }
-  (* the root of the whole *)
-  apply within in a_tidy. fold W in a_tidy.
-  assert (0 < H + al) by lra. set (q := sqrt (H + al)). assert (0 < q) by now apply sqrt_lt_R0.
-  assert (q * q = H + al) as q_square by (apply sqrt_sqrt; lra).
-  assert ((1 - / 1000) * r <= q) as q_low by (apply Rnot_lt_le; intros less; nra).
-  assert (g = (q - first) * (q + first)) as g_is by (unfold g; rewrite <- q_square; ring).
-  assert (Rabs (q - first) <= (1 + 6 / 10) * u * r) as near.
-  { apply Rmult_le_reg_r with (q + first); [lra |]. rewrite <- (Rabs_pos_eq (q + first)) at 1 by lra. rewrite <- Rabs_mult, <- g_is.
-    apply Rle_trans with (1 := g_size). apply Rle_trans with ((1 + 6 / 10) * u * r * ((2 - / 500) * r)).
-    - replace ((1 + 6 / 10) * u * r * ((2 - / 500) * r)) with ((1 + 6 / 10) * (2 - / 500) * (u * (r * r))) by ring. rewrite r_square. fold W. lra.
-    - apply Rmult_le_compat_l; [|lra]. repeat apply Rmult_le_pos; lra. }
-  (* g / 2 = (q - first) first + (q - first)^2 / 2 *)
-  assert (Rabs ((q - first) * (q - first)) <= 3 * Z) as squared.
-  { rewrite Rabs_mult. apply Rle_trans with ((1 + 6 / 10) * u * r * ((1 + 6 / 10) * u * r)); [apply Rmult_le_compat; trivial; apply Rabs_pos |].
-    replace ((1 + 6 / 10) * u * r * ((1 + 6 / 10) * u * r)) with ((1 + 6 / 10) * (1 + 6 / 10) * (u * u * (r * r))) by ring. rewrite r_square. fold Z. lra. }
-  assert (Rabs ((first + c - q) * first) <= 7 * Z) as total.
-  { replace ((first + c - q) * first) with ((c * first - / 2 * g) + / 2 * ((q - first) * (q - first))) by (rewrite g_is; field).
-    apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_mult (/ 2)), (Rabs_pos_eq (/ 2)) by lra. lra. }
-  assert (pair_unit = 16 * u * u) as -> by (unfold pair_unit, u; simpl; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq first) in total by lra.
-  apply Rmult_le_reg_r with first; [lra |]. apply Rle_trans with (1 := total).
-  apply Rle_trans with (16 * u * u * (((1 - / 1000) * r) * ((1 - / 1000) * r))).
-  - replace (16 * u * u * ((1 - / 1000) * r * ((1 - / 1000) * r))) with (16 * (1 - / 1000) * (1 - / 1000) * (u * u * (r * r))) by ring.
-    rewrite r_square. fold Z. lra.
-  - rewrite (Rmult_assoc (16 * u * u)). apply Rmult_le_compat_l; [repeat apply Rmult_le_pos; lra |]. apply Rmult_le_compat; lra.
+  apply Rle_trans with (1 := corrected_root ah al a_pos a_tidy no_underflow none_of_roots c 5 ltac:(lra) c_off).
+  apply Rmult_le_compat_r; [apply sqrt_pos |]. unfold pair_unit, u; simpl; lra.
 Qed.
 End Root.
 

@@ -4,11 +4,8 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core.
-From Groundtruth Require Import doubles quotient.
+From Groundtruth Require Import doubles quotient corrections.
 Open Scope R_scope.
-
-Lemma scaled : forall x y c, 0 <= c -> Rabs x <= y -> c * Rabs x <= c * y.
-Proof. intros. now apply Rmult_le_compat_l. Qed.
 
 Section Quotient.
 
@@ -28,13 +25,9 @@ Let c := fl (rest * i).
 Theorem quick_quotient_error : Rabs (first + c - (ah + al) / (bh + bl)) <= bpow radix2 (-98) * Rabs ((ah + al) / (bh + bl)).
 Proof.
   set (H := Rabs ah) in *. assert (0 < H) by now apply Rabs_pos_lt. assert (0 < Rabs bh) by now apply Rabs_pos_lt.
-  pose proof tiny_positive. assert (0 < u) by (unfold u; lra).
-  assert (u * u * u * H <= / 1000 * (u * u * H)) as cube.
-  { replace (u * u * u * H) with (u * (u * u * H)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (0 < u * H) by (apply Rmult_lt_0_compat; lra). assert (0 < u * u * H) by (repeat apply Rmult_lt_0_compat; lra).
-  set (Z := u * u * H) in *. set (W := u * H) in *. assert (Z = u * W) as ZW by (unfold Z, W; ring).
-  assert (Z <= / 1000000 * W) as second by (rewrite ZW; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  assert (W <= / 1000000 * H) as first_ by (unfold W; apply Rmult_le_compat_r; [lra | unfold u; lra]).
+  pose proof tiny_positive as tiny_pos. assert (0 < u) as u_pos by (unfold u; lra).
+  destruct (orders H ltac:(assumption)) as (W_pos & Z_pos & ZW & first_ & second & cube).
+  set (W := u * H) in *. set (Z := u * u * H) in *.
   (* first bh is near ah *)
   pose proof (fl_error (ah * i)) as f_near. fold first in f_near.
   assert (Rabs (ah * (i * bh - 1)) <= 8 * W) as off.
@@ -48,9 +41,8 @@ Proof.
     assert (u * (Rabs (ah * i) * Rabs bh) <= u * ((1 + / 1000) * H)) by (apply Rmult_le_compat_l; lra). unfold W in *; lra. }
   assert (Rabs (first * bh - ah) <= (9 + / 100) * W) as fb_near.
   { replace (first * bh - ah) with ((first - ah * i) * bh + ah * (i * bh - 1)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-  assert (Rabs (first * bh) <= (1 + / 1000) * H) as fb_size.
-  { replace (first * bh) with (ah + (first * bh - ah)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). fold H. lra. }
-  pose proof (fl_error (first * bh)) as p_near. fold p in p_near. pose proof (scaled _ _ u ltac:(lra) fb_size).
+  destruct (first_products ah bh bl first) as (fb_size & p_near & y_size & y_off); trivial; [fold H W; lra |].
+  fold H p W Z in fb_size, p_near, y_size, y_off.
   assert (is_double (- p)) by (apply generic_format_opp, fl_is_double). assert (is_double (- lost)) by now apply generic_format_opp.
   pose proof (sum_error ah (- p) Dah ltac:(assumption)) as d1_near. change (ah + - p) with (ah - p) in d1_near.
   set (d1 := fl (ah - p)) in *.
@@ -68,19 +60,14 @@ Proof.
     apply Rle_trans with (1 := difference_size _ _). lra. }
   pose proof (scaled _ _ u ltac:(lra) d2_size).
   (* lower parts *)
-  pose proof (fl_error (first * bl)) as y_near. set (y := fl (first * bl)) in *.
-  assert (Rabs (first * bl) <= (1 + / 1000) * W) as y_size.
-  { rewrite Rabs_mult. apply Rle_trans with (Rabs first * (u * Rabs bh)); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption] |].
-    replace (Rabs first * (u * Rabs bh)) with (u * Rabs (first * bh)) by (rewrite Rabs_mult; ring). unfold W; lra. }
-  pose proof (scaled _ _ u ltac:(lra) y_size).
+  set (y := fl (first * bl)) in *.
   assert (is_double (- y)) by (apply generic_format_opp, fl_is_double).
   pose proof (sum_error al (- y) Dal ltac:(assumption)) as z_near. change (al + - y) with (al - y) in z_near. set (z := fl (al - y)) in *.
-  assert (Rabs (y - first * bl) <= (1 + / 10) * Z) as y_off by (unfold W, Z in *; lra).
   assert (Rabs y <= (1 + / 100) * W) by (replace y with (first * bl + (y - first * bl)) by ring; apply Rle_trans with (1 := Rabs_triang _ _); lra).
   assert (Rabs (al - y) <= (2 + / 10) * W) as z_size by (apply Rle_trans with (1 := difference_size _ _); unfold W in *; lra).
   pose proof (scaled _ _ u ltac:(lra) z_size).
   pose proof (sum_error d2 z (fl_is_double _) (fl_is_double _)) as r_near. fold rest in r_near.
-  set (g := ah - first * bh + (al - first * bl)).
+  set (g := ah + al - first * (bh + bl)).
   assert (Rabs (d2 + z - g) <= 24 * Z) as r_off.
   { replace (d2 + z - g) with ((d2 - (d1 - lost)) + (d1 - lost - (ah - first * bh)) + (z - (al - y)) - (y - first * bl)) by (unfold g; ring).
     apply Rle_trans with (1 := difference_size _ _).
@@ -89,7 +76,8 @@ Proof.
       by (apply Rle_trans with (1 := Rabs_triang _ _); apply Rplus_le_compat_r, Rabs_triang).
     unfold W, Z in *; lra. }
   assert (Rabs g <= (11 + / 10) * W) as g_size.
-  { unfold g. apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_minus_sym ah).
+  { unfold g. replace (ah + al - first * (bh + bl)) with (al - first * bl - (first * bh - ah)) by ring.
+    apply Rle_trans with (1 := difference_size _ _).
     assert (Rabs (al - first * bl) <= Rabs al + Rabs (first * bl)) by apply difference_size. unfold W in *; lra. }
   assert (Rabs (d2 + z) <= (11 + / 5) * W) as rs.
   { replace (d2 + z) with ((d2 + z - g) + g) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
@@ -111,26 +99,11 @@ Proof.
     assert (u * (Rabs (rest * i) * Rabs bh) <= u * ((11 + / 3) * W)) by (apply Rmult_le_compat_l; lra). rewrite ZW in *; lra. }
   assert (Rabs (c * bh - rest) <= 102 * Z) as c_off.
   { replace (c * bh - rest) with ((c - rest * i) * bh + rest * (i * bh - 1)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-  assert (Rabs (c * bl) <= 12 * Z) as cb.
-  { rewrite Rabs_mult. apply Rle_trans with (Rabs c * (u * Rabs bh)); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption] |].
-    replace (Rabs c * (u * Rabs bh)) with (u * Rabs (c * bh)) by (rewrite Rabs_mult; ring).
-    assert (Rabs (c * bh) <= 12 * W) as cs.
-    { replace (c * bh) with ((c * bh - rest) + rest) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-    pose proof (scaled _ _ u ltac:(lra) cs). rewrite ZW; lra. }
-  (* together *)
-  assert (bh + bl <> 0) as some.
-  { intros zero. assert (bh = - bl) as e by lra. rewrite e, Rabs_Ropp in *. pose proof (Rabs_pos bl). unfold u in *; nra. }
-  assert (0 < Rabs (bh + bl)) by now apply Rabs_pos_lt.
-  assert (Rabs ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) <= 150 * Z) as total.
-  { replace ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) with ((c * bh - rest) + (rest - g) + c * bl) by (unfold g; field; assumption).
-    apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (Rabs (c * bh - rest + (rest - g)) <= Rabs (c * bh - rest) + Rabs (rest - g)) by apply Rabs_triang. lra. }
-  assert (bpow radix2 (-98) = 256 * u * u) as unit_ by (unfold u; simpl; lra). rewrite unit_.
-  rewrite Rabs_mult in total. apply Rmult_le_reg_r with (Rabs (bh + bl)); [assumption |]. apply Rle_trans with (1 := total).
-  rewrite Rmult_assoc, <- Rabs_mult. replace ((ah + al) / (bh + bl) * (bh + bl)) with (ah + al) by (field; assumption).
-  assert (H <= Rabs (ah + al) + Rabs al) by (unfold H; replace ah with (ah + al - al) at 1 by ring; apply difference_size).
-  assert (u * u * ((1 - / 1000) * H) <= u * u * Rabs (ah + al)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | unfold W in *; lra]).
-  unfold Z in *. lra.
+  assert (Rabs (c * bh - g) <= 138 * Z) as total.
+  { replace (c * bh - g) with ((c * bh - rest) + (rest - g)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+  apply Rle_trans with (1 := corrected_quotient ah al bh bl first a_some b_some a_tidy b_tidy ltac:(fold H W; lra) c (11 + / 10) 138
+    ltac:(lra) ltac:(lra) g_size total).
+  apply Rmult_le_compat_r; [apply Rabs_pos |]. unfold u; simpl; lra.
 Qed.
 End Quotient.
 
@@ -149,31 +122,11 @@ Let c := fl (rest * fl (/ 2 * inverse)).
 
 Theorem quick_root_error : Rabs (first + c - sqrt (ah + al)) <= bpow radix2 (-101) * sqrt (ah + al).
 Proof.
-  set (H := ah) in *. pose proof tiny_positive. assert (0 < u) by (unfold u; lra).
-  set (r := sqrt H) in *. assert (0 < r) as r_pos by now apply sqrt_lt_R0.
-  assert (r * r = H) as r_square by (apply sqrt_sqrt; lra).
-  assert (u * u * u * H <= / 1000 * (u * u * H)) as cube.
-  { replace (u * u * u * H) with (u * (u * u * H)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (u * u * u * r <= / 1000 * (u * r)) as cube_r.
-  { replace (u * u * u * r) with (u * u * (u * r)) by ring. apply Rmult_le_compat_r; [repeat apply Rmult_le_pos; lra | unfold u; lra]. }
-  assert (0 < u * H) by (apply Rmult_lt_0_compat; lra). assert (0 < u * u * H) by (repeat apply Rmult_lt_0_compat; lra).
-  set (Z := u * u * H) in *. set (W := u * H) in *. assert (Z = u * W) as ZW by (unfold Z, W; ring).
-  assert (Z <= / 1000000 * W) as second by (rewrite ZW; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  assert (W <= / 1000000 * H) as first_ by (unfold W; apply Rmult_le_compat_r; [lra | unfold u; lra]).
-  (* first is near the root *)
-  pose proof (fl_error r) as f_near. fold first in f_near. rewrite (Rabs_pos_eq r) in f_near by lra.
-  assert (Rabs (first - r) <= (1 + / 1000) * u * r) as f_off by lra. apply within in f_off. clear f_near.
-  assert (0 < u * r <= / 1000000 * r) by (split; [apply Rmult_lt_0_compat; lra | apply Rmult_le_compat_r; [lra | unfold u; lra]]).
-  assert ((1 - / 1000) * r <= first <= (1 + / 1000) * r) as f_range by lra.
-  assert (Rabs (first * first - H) <= (2 + / 100) * W) as ff_near.
-  { replace (first * first - H) with ((first - r) * (first + r)) by (rewrite <- r_square; ring). rewrite Rabs_mult.
-    apply Rle_trans with ((1 + / 1000) * u * r * ((2 + / 1000) * r)).
-    - apply Rmult_le_compat; try apply Rabs_pos; [apply Rabs_le; lra | rewrite Rabs_pos_eq by lra; lra].
-    - replace ((1 + / 1000) * u * r * ((2 + / 1000) * r)) with ((1 + / 1000) * (2 + / 1000) * (u * (r * r))) by ring.
-      rewrite r_square. fold W. lra. }
-  assert (Rabs (first * first) <= (1 + / 1000) * H) as ff_size.
-  { replace (first * first) with (H + (first * first - H)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_pos_eq H) by lra. lra. }
-  pose proof (fl_error (first * first)) as p_near. fold p in p_near. pose proof (scaled _ _ u ltac:(lra) ff_size).
+  pose proof tiny_positive as tiny_pos. assert (0 < u) as u_pos by (unfold u; lra).
+  destruct (orders ah a_pos) as (W_pos & Z_pos & ZW & first_ & second & cube).
+  destruct (first_square ah a_pos no_underflow none_of_roots) as (f_range & _ & ff_near & p_near & tf_small).
+  fold first p in f_range, ff_near, p_near, tf_small. destruct (root_squared ah a_pos) as (r_pos & r_square).
+  set (H := ah) in *. set (r := sqrt H) in *. set (W := u * H) in *. set (Z := u * u * H) in *.
   assert (is_double (- p)) by (apply generic_format_opp, fl_is_double). assert (is_double (- lost)) by now apply generic_format_opp.
   pose proof (sum_error H (- p) Dah ltac:(assumption)) as d1_near. change (H + - p) with (H - p) in d1_near. set (d1 := fl (H - p)) in *.
   assert (Rabs (H - p) <= (3 + / 10) * W) as d1_size.
@@ -232,10 +185,6 @@ Proof.
   assert (Rabs (rest * h) * first <= 2 * W) as rhs.
   { rewrite <- (Rabs_pos_eq first) at 1 by lra. rewrite <- Rabs_mult. replace (rest * h * first) with (/ 2 * rest + rest * (h * first - / 2)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_mult (/ 2)), (Rabs_pos_eq (/ 2)) by lra. lra. }
-  assert (tiny * first <= / 10 * Z).
-  { apply Rle_trans with (u * u * u * r * ((1 + / 1000) * r)); [apply Rmult_le_compat; lra |].
-    replace (u * u * u * r * ((1 + / 1000) * r)) with ((1 + / 1000) * (u * (u * u * (r * r)))) by ring. rewrite r_square. fold Z.
-    assert (u * Z <= / 1000 * Z) by (apply Rmult_le_compat_r; [lra | unfold u; lra]). lra. }
   assert (Rabs ((c - rest * h) * first) <= (2 + / 5) * Z) as cr.
   { rewrite Rabs_mult, (Rabs_pos_eq first) by lra. apply Rle_trans with ((u * Rabs (rest * h) + tiny) * first); [apply Rmult_le_compat_r; lra |].
     replace ((u * Rabs (rest * h) + tiny) * first) with (u * (Rabs (rest * h) * first) + tiny * first) by ring.
@@ -245,31 +194,8 @@ Proof.
     apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_mult (/ 2)), (Rabs_pos_eq (/ 2)) by lra.
     assert (Rabs ((c - rest * h) * first + rest * (h * first - / 2)) <= Rabs ((c - rest * h) * first) + Rabs (rest * (h * first - / 2))) by apply Rabs_triang.
     lra. }
-  (* the root of the whole *)
-  apply within in a_tidy. fold W in a_tidy.
-  assert (0 < H + al) by lra. set (q := sqrt (H + al)). assert (0 < q) by now apply sqrt_lt_R0.
-  assert (q * q = H + al) as q_square by (apply sqrt_sqrt; lra).
-  assert ((1 - / 1000) * r <= q) as q_low by (apply Rnot_lt_le; intros less; nra).
-  assert (g = (q - first) * (q + first)) as g_is by (unfold g; rewrite <- q_square; ring).
-  assert (Rabs (q - first) <= (1 + 6 / 10) * u * r) as near.
-  { apply Rmult_le_reg_r with (q + first); [lra |]. rewrite <- (Rabs_pos_eq (q + first)) at 1 by lra. rewrite <- Rabs_mult, <- g_is.
-    apply Rle_trans with (1 := g_size). apply Rle_trans with ((1 + 6 / 10) * u * r * ((2 - / 500) * r)).
-    - replace ((1 + 6 / 10) * u * r * ((2 - / 500) * r)) with ((1 + 6 / 10) * (2 - / 500) * (u * (r * r))) by ring. rewrite r_square. fold W. lra.
-    - apply Rmult_le_compat_l; [|lra]. repeat apply Rmult_le_pos; lra. }
-  (* g / 2 = (q - first) first + (q - first)^2 / 2 *)
-  assert (Rabs ((q - first) * (q - first)) <= 3 * Z) as squared.
-  { rewrite Rabs_mult. apply Rle_trans with ((1 + 6 / 10) * u * r * ((1 + 6 / 10) * u * r)); [apply Rmult_le_compat; trivial; apply Rabs_pos |].
-    replace ((1 + 6 / 10) * u * r * ((1 + 6 / 10) * u * r)) with ((1 + 6 / 10) * (1 + 6 / 10) * (u * u * (r * r))) by ring. rewrite r_square. fold Z. lra. }
-  assert (Rabs ((first + c - q) * first) <= 13 * Z) as total.
-  { replace ((first + c - q) * first) with ((c * first - / 2 * g) + / 2 * ((q - first) * (q - first))) by (rewrite g_is; field).
-    apply Rle_trans with (1 := Rabs_triang _ _). rewrite (Rabs_mult (/ 2)), (Rabs_pos_eq (/ 2)) by lra. lra. }
-  assert (bpow radix2 (-101) = 32 * u * u) as -> by (unfold u; simpl; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq first) in total by lra.
-  apply Rmult_le_reg_r with first; [lra |]. apply Rle_trans with (1 := total).
-  apply Rle_trans with (32 * u * u * (((1 - / 1000) * r) * ((1 - / 1000) * r))).
-  - replace (32 * u * u * ((1 - / 1000) * r * ((1 - / 1000) * r))) with (32 * (1 - / 1000) * (1 - / 1000) * (u * u * (r * r))) by ring.
-    rewrite r_square. fold Z. lra.
-  - rewrite (Rmult_assoc (32 * u * u)). apply Rmult_le_compat_l; [repeat apply Rmult_le_pos; lra |]. apply Rmult_le_compat; lra.
+  apply Rle_trans with (1 := corrected_root ah al a_pos a_tidy no_underflow none_of_roots c (11 + / 4) ltac:(lra) c_off).
+  apply Rmult_le_compat_r; [apply sqrt_pos |]. unfold u; simpl; lra.
 Qed.
 End Root.
 

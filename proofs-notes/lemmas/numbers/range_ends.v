@@ -54,10 +54,10 @@ Definition per_end := 4 * u. (* 0x4p-53 *)
 Definition coordinate_error from to lambda :=
   fl (fl (per_end * fl (fl (Rabs lambda * fl (Rabs from + Rabs to)) + Rabs from)) + floor).
 
-Theorem ends_are_near : forall from to lambda, is_double from -> is_double to ->
-  Rabs (placed from to lambda - (from + lambda * (to - from))) <= coordinate_error from to lambda.
+Lemma coordinate_error_at_least : forall from to lambda, is_double from -> is_double to ->
+  (4 * u - 30 * u * u) * (Rabs lambda * (Rabs from + Rabs to) + Rabs from) + floor / 2 <= coordinate_error from to lambda.
 Proof.
-  intros from to lambda Dfrom Dto; apply Rle_trans with (1 := placing_error from to lambda Dfrom Dto).
+  intros from to lambda Dfrom Dto.
   pose proof tiny_positive; pose proof floor_and_tiny as hfloor.
   assert (is_double (Rabs from)) as Df by now apply generic_format_abs.
   assert (is_double (Rabs to)) as Dt by now apply generic_format_abs.
@@ -81,6 +81,33 @@ Proof.
   pose proof (sum_at_least _ floor (fl (per_end * q) + floor) (fl_is_double (per_end * q)) (power_is_double (-1000) ltac:(easy))
     ltac:(lra)) as total.
   unfold per_end, u in *; lra.
+Qed.
+
+Theorem ends_are_near : forall from to lambda, is_double from -> is_double to ->
+  Rabs (placed from to lambda - (from + lambda * (to - from))) <= coordinate_error from to lambda.
+Proof.
+  intros from to lambda Dfrom Dto; apply Rle_trans with (1 := placing_error from to lambda Dfrom Dto).
+  apply Rle_trans with (2 := coordinate_error_at_least from to lambda Dfrom Dto).
+  assert (0 <= Rabs lambda * (Rabs from + Rabs to))
+    by (apply Rmult_le_pos; [| pose proof (Rabs_pos from); pose proof (Rabs_pos to)]; try apply Rabs_pos; lra).
+  pose proof (Rabs_pos from); pose proof tiny_positive; pose proof floor_and_tiny; unfold u in *; lra.
+Qed.
+
+(* So the error is also twice what a rounding of the end costs. *)
+Lemma error_exceeds_roundings : forall from to lambda, is_double from -> is_double to ->
+  2 * u * Rabs (placed from to lambda) <= coordinate_error from to lambda.
+Proof.
+  intros from to lambda Dfrom Dto; pose proof (placing_error from to lambda Dfrom Dto) as near.
+  apply Rle_trans with (2 := coordinate_error_at_least from to lambda Dfrom Dto).
+  assert (0 <= Rabs lambda * (Rabs from + Rabs to))
+    by (apply Rmult_le_pos; [| pose proof (Rabs_pos from); pose proof (Rabs_pos to)]; try apply Rabs_pos; lra).
+  pose proof (Rabs_pos from); pose proof tiny_positive; pose proof floor_and_tiny.
+  assert (Rabs (from + lambda * (to - from)) <= Rabs from + Rabs lambda * (Rabs from + Rabs to)) as exact.
+  { apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_mult; apply Rplus_le_compat_l, Rmult_le_compat_l; [apply Rabs_pos |].
+    pose proof (magnitude from); pose proof (magnitude to); apply Rabs_le; lra. }
+  set (P := placed from to lambda) in *; set (X := from + lambda * (to - from)) in *.
+  assert (Rabs P <= Rabs X + Rabs (P - X)) by (replace P with (X + (P - X)) at 1 by ring; apply Rabs_triang).
+  unfold u in *; lra.
 Qed.
 
 (* hit-outside-box: the place of a hit at s in [lower, upper], by axis; ends x, y with their own error e. *)
