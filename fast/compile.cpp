@@ -48,6 +48,8 @@ class Compiler {
       scene_.region_boxes_.push_back(box_around(region, region.nodes.data()));
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
     if (options.has(Simplification::known_materials)) settle_materials();
+    scene_.leaf_count_ = scene_.solid_.leaves.size();
+    if (options.has(Simplification::written_solid) && scene_.parts_.general.empty()) forget_solid();
   }
 
   Scene result() {
@@ -73,6 +75,12 @@ class Compiler {
       scene_.left_out_.push_back({Simplification::constants, scene_.solid_.nodes.size() - folded.size(),
                                   "constants, and operators that they decide"});
     scene_.solid_.nodes = std::move(folded);
+  }
+
+  void forget_solid() {
+    scene_.left_out_.push_back(
+        {Simplification::written_solid, scene_.leaf_count_, "half-spaces not kept beside the cells"});
+    scene_.solid_ = {};
   }
 
   // Where one material, or none, covers a cell whatever the point, the cell bears it. Else its rule, if it

@@ -192,7 +192,8 @@ class Divider {
 std::string_view name_of(Simplification simplification) {
   constexpr std::string_view names[number_of_simplifications] = {
       "constants",    "duplicates",      "empty-cells",   "buried-parts", "redundant-half-spaces",
-      "hidden-rules", "known-materials", "remote-paints", "hierarchy",    "grid"};
+      "hidden-rules", "known-materials", "remote-paints", "hierarchy",    "grid",
+      "written-solid"};
   return names[static_cast<std::size_t>(simplification)];
 }
 

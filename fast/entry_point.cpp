@@ -26,8 +26,7 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
     answer = Inside{lambda.value};
     return {Stage::exact, lambda.stage, Stage::none};
   }
-  const HitPlace place{
-      lower, result.upper, {entry->leaf, scene.solid().leaves[entry->leaf], {}}, entry->crossed};
+  const HitPlace place{lower, result.upper, {entry->leaf, entry->half_space, {}}, entry->crossed};
   const FaceMaterial found = material_at(scene, probe, ask, place);
   answer = Border{lambda.value, place.face.leaf, place.face.half_space.normal, found.material};
   return {Stage::exact, lambda.stage, found.stage};
