@@ -17,14 +17,13 @@ void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& pr
   const double error = probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
   const Vector &x = probe.ends().first, &y = probe.ends().last;
   for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
-    const std::uint32_t leaf = cells.leaf_at(cell, place);
-    OpenLeaf open{.leaf = leaf};
+    OpenLeaf open{.leaf = place};
     if (error < greatest_usable_error) {
       const auto& [n, d] = cells.half_space_at(cell, place);
       const double a = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d;
       const double b = n[0] * y[0] + n[1] * y[1] + n[2] * y[2] - d;
       if (a < -error && b < -error) continue;
-      open = open_leaf(leaf, a, b, error);
+      open = open_leaf(place, a, b, error);
     }
     leaves.push_back(open);
   }

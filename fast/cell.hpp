@@ -48,7 +48,7 @@ enum class Turn : std::uint8_t { enters, leaves, undecided };
 struct OpenLeaf {
   double lower = 0;
   double upper = 1;
-  std::uint32_t leaf = 0;
+  std::uint32_t leaf = 0;  // its place in the expression or the cell
   Turn turn = Turn::undecided;
 };
 

@@ -8,6 +8,19 @@ namespace groundtruth::fast {
 
 namespace {
 
+// Of the solid: half-spaces of regions are no leaves.
+std::size_t count_leaves(const Shape& shape) {
+  if (const auto* cover = std::get_if<Covered>(&shape.expression)) return count_leaves(*cover->over);
+  if (const auto* paint = std::get_if<Painted>(&shape.expression)) return count_leaves(*paint->over);
+  std::size_t count = std::holds_alternative<HalfSpace>(shape.expression) ? 1 : 0;
+  const auto add = [&](const std::vector<Shape>& operands) {
+    for (const Shape& operand : operands) count += count_leaves(operand);
+  };
+  if (const auto* all = std::get_if<Union>(&shape.expression)) add(all->operands);
+  if (const auto* all = std::get_if<Intersection>(&shape.expression)) add(all->operands);
+  return count;
+}
+
 // The operator whose operands are being laid out.
 struct Operator {
   NodeKind kind = NodeKind::union_of;
@@ -25,6 +38,7 @@ class Compiler {
   Compiler(const groundtruth::Scene& scene, const CompileOptions& options) : options_(options) {
     scene_.materials_ = scene.materials;
     Site site{scene_.solid_, Role::solid, std::nullopt};
+    scene_.solid_.leaves.reserve(count_leaves(scene.shape));
     operate(site, NodeKind::union_of, [&](Operator& op) { add(site, scene.shape, op); });
     if (options.has(Simplification::constants)) fold_constants();
     if (hidden_rules_ > 0)
@@ -34,10 +48,11 @@ class Compiler {
       scene_.region_boxes_.push_back(box_around(region, region.nodes.data()));
     scene_.parts_ = divide(scene_.solid_, options, scene_.left_out_);
     if (options.has(Simplification::known_materials)) settle_materials();
+    scene_.leaf_count_ = scene_.solid_.leaves.size();
+    if (options.has(Simplification::written_solid) && scene_.parts_.general.empty()) forget_solid();
   }
 
   Scene result() {
-    scene_.solid_.leaves.shrink_to_fit();
     scene_.solid_.nodes.shrink_to_fit();
     scene_.rule_runs_.shrink_to_fit();
     scene_.rules_.shrink_to_fit();
@@ -60,6 +75,12 @@ class Compiler {
       scene_.left_out_.push_back({Simplification::constants, scene_.solid_.nodes.size() - folded.size(),
                                   "constants, and operators that they decide"});
     scene_.solid_.nodes = std::move(folded);
+  }
+
+  void forget_solid() {
+    scene_.left_out_.push_back(
+        {Simplification::written_solid, scene_.leaf_count_, "half-spaces not kept beside the cells"});
+    scene_.solid_ = {};
   }
 
   // Where one material, or none, covers a cell whatever the point, the cell bears it. Else its rule, if it

@@ -21,9 +21,10 @@ enum class Simplification {
   remote_paints,          // paints of a cell whose region certainly does not reach it
   hierarchy,              // the boxes over the parts; without it every part is looked at
   grid,                   // the squares over flat scenes, for short ranges
+  written_solid,          // the solid as written, where its cells hold all that is asked for
 };
 
-inline constexpr std::size_t number_of_simplifications = 10;
+inline constexpr std::size_t number_of_simplifications = 11;
 
 std::string_view name_of(Simplification simplification);
 

@@ -1,19 +1,19 @@
 #include <groundtruth/fast/divide.hpp>
 
 #include <algorithm>
-#include <functional>
+#include <span>
 #include <string_view>
-#include <unordered_map>
 
 #include <groundtruth/fast/cell_kernels.hpp>
+#include <groundtruth/fast/part_index.hpp>
+#include <groundtruth/fast/written_cells.hpp>
 
 namespace groundtruth::fast {
 
 namespace {
 
-// More parts without a bounded box than this are not looked at one by one.
-constexpr std::size_t most_unbounded_parts = 8;
-constexpr std::size_t fewest_parts_for_hierarchy = 5;
+// More half-spaces than this that are operands of the union are not held against every cell.
+constexpr std::size_t most_grounds = 8;
 
 class Divider {
  public:
@@ -23,31 +23,33 @@ class Divider {
   Parts result() {
     parts_.kernels =
         options_.instructions() == Instructions::portable ? &portable_cell_kernels : &best_cell_kernels();
-    const Node* root = solid_.nodes.data();
-    if (root->kind != NodeKind::union_of) {
-      add(root);
-    } else {
-      for (const Node* operand = root + 1; operand != root + root->size; operand += operand->size)
-        add(operand);
-    }
-    drop_buried();
-    pack();
+    add_operands();
+    if (has(Simplification::buried_parts)) drop_buried();
+    const std::size_t cell_count = convex_.size();
+    boxes_.insert(boxes_.end(), general_boxes_.begin(), general_boxes_.end());
+    PartIndex index = index_parts(boxes_, cell_count, options_);
+    pack(index.cells);
+    parts_.apart = std::move(index.apart);
+    parts_.hierarchy = std::move(index.hierarchy);
+    parts_.grid = std::move(index.grid);
     report();
-    parts_.cells.groups.shrink_to_fit();
-    parts_.cells.leaves.shrink_to_fit();
-    parts_.cells.cells.shrink_to_fit();
     return std::move(parts_);
   }
 
  private:
-  struct ConvexPart {
-    std::uint32_t node;
-    std::uint32_t first_leaf;  // in leaves_
-    std::uint32_t end_leaf;
-    Box box;
-  };
-
   bool has(Simplification simplification) const { return options_.has(simplification); }
+
+  void add_operands() {
+    const Node* root = solid_.nodes.data();
+    const bool is_union = root->kind == NodeKind::union_of;
+    const Node *first = is_union ? root + 1 : root, *end = root + root->size;
+    std::size_t count = 0;
+    for (const Node* operand = first; operand != end; operand += operand->size) ++count;
+    convex_.reserve(count);
+    boxes_.reserve(count);
+    WrittenCells written(has(Simplification::duplicates) ? count : 0);
+    for (const Node* operand = first; operand != end; operand += operand->size) add(operand, written);
+  }
 
   static bool is_convex(const Node* node) {
     if (node->kind == NodeKind::cell) return true;
@@ -55,74 +57,80 @@ class Divider {
     return std::all_of(node + 1, node + node->size, [](const Node& n) { return n.kind == NodeKind::cell; });
   }
 
-  void add(const Node* node) {
+  void add(const Node* node, WrittenCells& written) {
     if (node->kind == NodeKind::nothing) return;
     const auto place = static_cast<std::uint32_t>(node - solid_.nodes.data());
     if (!is_convex(node)) {
-      general_.push_back({place, 0, 0, box_around(solid_, node)});
+      parts_.general.push_back(place);
+      general_boxes_.push_back(box_around(solid_, node));
       return;
     }
-    const auto first = static_cast<std::uint32_t>(leaves_.size());
-    for (const Node* cell = node; cell != node + node->size; ++cell)
-      for (std::uint32_t leaf = cell->first_leaf; leaf != cell->end_leaf; ++leaf) leaves_.push_back(leaf);
-    const auto end = static_cast<std::uint32_t>(leaves_.size());
-    half_spaces_.clear();
-    for (std::uint32_t i = first; i != end; ++i) half_spaces_.push_back(solid_.leaves[leaves_[i]]);
-    const auto forget = [&](std::size_t& count) {
-      leaves_.resize(first);
-      ++count;
-    };
-    if (has(Simplification::duplicates) && is_written_before(first)) return forget(duplicates_);
-    const Box box = box_around(half_spaces_);
-    if (has(Simplification::empty_cells) && box.is_empty()) return forget(empty_);
-    convex_.push_back({place, first, end, box});
+    const auto half_spaces = half_spaces_of(place, half_spaces_);
+    const auto of_another = [&](std::uint32_t number) { return half_spaces_of(number, of_another_); };
+    if (has(Simplification::duplicates) && written.has_or_add(half_spaces, place, of_another)) {
+      ++duplicates_;
+      return;
+    }
+    const Box box = box_around(half_spaces);
+    if (has(Simplification::empty_cells) && box.is_empty()) {
+      ++empty_;
+      return;
+    }
+    convex_.push_back(place);
+    boxes_.push_back(box);
   }
 
-  // Is there an earlier part like half_spaces_? (One of two that share a hash may stay.)
-  bool is_written_before(std::uint32_t first_leaf) {
-    std::size_t hash = half_spaces_.size();
-    for (const HalfSpace& half_space : half_spaces_)
-      for (const double number :
-           {half_space.normal[0], half_space.normal[1], half_space.normal[2], half_space.offset})
-        hash = (hash ^ std::hash<double>{}(number)) * 0x9e3779b97f4a7c15;
-    const auto [at, is_new] = first_leaf_by_hash_.try_emplace(hash, first_leaf);
-    if (is_new || at->second + half_spaces_.size() > first_leaf) return false;
-    for (std::size_t i = 0; i < half_spaces_.size(); ++i)
-      if (!(solid_.leaves[leaves_[at->second + i]] == half_spaces_[i])) return false;
-    return true;
+  // Of a convex node; in `room`, if they do not stand side by side.
+  std::span<const HalfSpace> half_spaces_of(std::uint32_t place, std::vector<HalfSpace>& room) const {
+    const Node* node = solid_.nodes.data() + place;
+    const auto of_cell = [&](const Node& cell) {
+      return std::span(solid_.leaves).subspan(cell.first_leaf, cell.end_leaf - cell.first_leaf);
+    };
+    if (node->size == 1) return of_cell(*node);
+    room.clear();
+    for (const Node* cell = node + 1; cell != node + node->size; ++cell)
+      room.insert(room.end(), of_cell(*cell).begin(), of_cell(*cell).end());
+    return room;
   }
 
   // A point of a cell strictly inside a half-space of the union is interior, whatever the cell says.
   void drop_buried() {
-    if (!has(Simplification::buried_parts)) return;
-    std::vector<const ConvexPart*> grounds;
-    for (const ConvexPart& part : convex_)
-      if (part.end_leaf == part.first_leaf + 1) grounds.push_back(&part);
-    if (grounds.empty() || grounds.size() > most_unbounded_parts) return;
-    std::vector<ConvexPart> kept;
-    for (const ConvexPart& part : convex_) {
-      const bool is_buried = std::any_of(grounds.begin(), grounds.end(), [&](const ConvexPart* ground) {
-        return greatest_delta(solid_.leaves[leaves_[ground->first_leaf]], part.box) < 0;
-      });
-      if (is_buried)
-        ++buried_;
-      else
-        kept.push_back(part);
+    std::vector<HalfSpace> grounds;
+    for (const std::uint32_t place : convex_) {
+      const auto half_spaces = half_spaces_of(place, half_spaces_);
+      if (half_spaces.size() == 1) grounds.push_back(half_spaces.front());
     }
-    convex_ = std::move(kept);
+    if (grounds.size() > most_grounds) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i != convex_.size(); ++i) {
+      const bool is_buried = std::ranges::any_of(
+          grounds, [&](const HalfSpace& ground) { return greatest_delta(ground, boxes_[i]) < 0; });
+      if (is_buried) continue;
+      convex_[kept] = convex_[i];
+      boxes_[kept++] = boxes_[i];
+    }
+    buried_ = convex_.size() - kept;
+    convex_.resize(kept);
+    boxes_.resize(kept);
   }
 
-  void pack() {
-    index();
-    parts_.cells.cells.reserve(order_.size());
-    for (const std::uint32_t place : order_) pack_cell(convex_[place]);
-    for (const ConvexPart& part : general_) parts_.general.push_back(part.node);
+  void pack(const std::vector<std::uint32_t>& order) {
+    std::size_t groups = 0;
+    for (const std::uint32_t place : convex_) groups += (half_spaces_of(place, half_spaces_).size() + 3) / 4;
+    parts_.cells.cells.reserve(order.size());
+    parts_.cells.groups.reserve(groups);
+    for (const std::uint32_t number : order) pack_cell(number);
+    parts_.cells.groups.shrink_to_fit();
+    parts_.cells.leaves.shrink_to_fit();
   }
 
-  void pack_cell(const ConvexPart& part) {
-    kept_.assign(leaves_.begin() + part.first_leaf, leaves_.begin() + part.end_leaf);
+  void pack_cell(std::uint32_t number) {
+    kept_.clear();
+    const Node* node = solid_.nodes.data() + convex_[number];
+    for (const Node* cell = node; cell != node + node->size; ++cell)
+      for (std::uint32_t leaf = cell->first_leaf; leaf != cell->end_leaf; ++leaf) kept_.push_back(leaf);
     for (std::size_t i = 0; i < kept_.size();) {
-      std::size_t* const reason = reason_to_drop(part, kept_, i);
+      std::size_t* const reason = reason_to_drop(boxes_[number], i);
       if (reason) {
         ++*reason;
         kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -133,87 +141,22 @@ class Divider {
     parts_.cells.add(kept_, solid_.leaves);
   }
 
-  // Null: kept[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others
+  // Null: kept_[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others
   // span is met by no point of the cell; only oblique ones are looked at: the others span the box themselves.
-  std::size_t* reason_to_drop(const ConvexPart& part, const std::vector<std::uint32_t>& kept, std::size_t i) {
-    const HalfSpace& half_space = solid_.leaves[kept[i]];
+  std::size_t* reason_to_drop(const Box& box, std::size_t i) {
+    const HalfSpace& half_space = solid_.leaves[kept_[i]];
     const auto is_written_alike = [&](std::uint32_t leaf) { return solid_.leaves[leaf] == half_space; };
     if (has(Simplification::duplicates) &&
-        std::any_of(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(i), is_written_alike))
+        std::any_of(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(i), is_written_alike))
       return &duplicates_;
     const auto& n = half_space.normal;
     const int axes = (n[0] != 0) + (n[1] != 0) + (n[2] != 0);
-    if (!has(Simplification::redundant_half_spaces) || axes < 2 ||
-        !(greatest_delta(half_space, part.box) < 0))
+    if (!has(Simplification::redundant_half_spaces) || axes < 2 || !(greatest_delta(half_space, box) < 0))
       return nullptr;
     half_spaces_.clear();
-    for (std::size_t other = 0; other < kept.size(); ++other)
-      if (other != i) half_spaces_.push_back(solid_.leaves[kept[other]]);
+    for (std::size_t other = 0; other < kept_.size(); ++other)
+      if (other != i) half_spaces_.push_back(solid_.leaves[kept_[other]]);
     return greatest_delta(half_space, box_around(half_spaces_)) < 0 ? &redundant_ : nullptr;
-  }
-
-  // Cells get the order in which the hierarchy comes to them, so that neighbours in space are neighbours in
-  // memory.
-  void index() {
-    std::vector<Box> boxes;
-    for (const auto* list : {&convex_, &general_})
-      for (const ConvexPart& part : *list) boxes.push_back(part.box);
-    std::vector<std::uint32_t> bounded, unbounded_ones;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      (boxes[i].is_bounded() ? bounded : unbounded_ones).push_back(i);
-    if (unbounded_ones.size() > most_unbounded_parts) {
-      bounded.insert(bounded.end(), unbounded_ones.begin(), unbounded_ones.end());
-      unbounded_ones.clear();
-    }
-    // An empty box is met nowhere; hulls do not know it.
-    const auto is_empty = [&](std::uint32_t i) { return boxes[i].is_empty(); };
-    bounded.erase(std::remove_if(bounded.begin(), bounded.end(), is_empty), bounded.end());
-
-    BoxHierarchy hierarchy;
-    const bool is_worth_it =
-        has(Simplification::hierarchy) && boxes.size() >= fewest_parts_for_hierarchy && !bounded.empty();
-    if (is_worth_it) hierarchy = build_hierarchy(boxes, bounded);
-    const std::vector<std::uint32_t> new_number = renumber(hierarchy, boxes.size());
-    for (BoxNode& node : hierarchy.nodes)
-      for (std::uint32_t& child : node.children)
-        if (child >= BoxNode::first_part && child != BoxNode::no_child)
-          child = BoxNode::first_part + new_number[child - BoxNode::first_part];
-    std::vector<Box> boxes_by_new_number(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes_by_new_number[new_number[i]] = boxes[i];
-    for (std::uint32_t& part : bounded) part = new_number[part];
-    if (is_worth_it) {
-      for (const std::uint32_t part : unbounded_ones) parts_.apart.push_back(new_number[part]);
-      if (has(Simplification::grid) && unbounded_ones.size() <= most_unbounded_parts)
-        parts_.grid = build_grid_over(boxes_by_new_number, bounded);
-    } else {
-      for (std::uint32_t i = 0; i < boxes.size(); ++i) parts_.apart.push_back(i);
-    }
-    parts_.hierarchy = std::move(hierarchy);
-  }
-
-  static Grid build_grid_over(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts) {
-    const bool all_bounded =
-        std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return boxes[part].is_bounded(); });
-    return all_bounded ? build_grid(boxes, parts) : Grid{};
-  }
-
-  // Convex parts keep numbers below those of general ones.
-  std::vector<std::uint32_t> renumber(const BoxHierarchy& hierarchy, std::size_t count) {
-    constexpr std::uint32_t none = 0xffffffff;
-    std::vector<std::uint32_t> new_number(count, none);
-    const auto cells = static_cast<std::uint32_t>(convex_.size());
-    for (std::uint32_t i = cells; i < count; ++i) new_number[i] = i;
-    const auto place_next = [&](std::uint32_t part) {
-      if (new_number[part] != none) return;
-      new_number[part] = static_cast<std::uint32_t>(order_.size());
-      order_.push_back(part);
-    };
-    for (const BoxNode& node : hierarchy.nodes)
-      for (const std::uint32_t child : node.children)
-        if (child >= BoxNode::first_part && child != BoxNode::no_child)
-          place_next(child - BoxNode::first_part);
-    for (std::uint32_t i = 0; i < cells; ++i) place_next(i);
-    return new_number;
   }
 
   void report() {
@@ -236,12 +179,10 @@ class Divider {
   const Expression& solid_;
   const CompileOptions& options_;
   std::vector<LeftOut>& left_out_;
-  std::vector<std::uint32_t> leaves_;
-  std::vector<ConvexPart> convex_, general_;
-  std::vector<std::uint32_t> order_;  // of the convex parts
-  std::vector<HalfSpace> half_spaces_;
-  std::vector<std::uint32_t> kept_;  // of one part
-  std::unordered_map<std::size_t, std::uint32_t> first_leaf_by_hash_;
+  std::vector<std::uint32_t> convex_;  // where they start in the solid's nodes
+  std::vector<Box> boxes_, general_boxes_;
+  std::vector<HalfSpace> half_spaces_, of_another_;  // of one part
+  std::vector<std::uint32_t> kept_;                  // of one part
   Parts parts_;
   std::size_t duplicates_ = 0, empty_ = 0, buried_ = 0, redundant_ = 0;
 };
@@ -251,7 +192,8 @@ class Divider {
 std::string_view name_of(Simplification simplification) {
   constexpr std::string_view names[number_of_simplifications] = {
       "constants",    "duplicates",      "empty-cells",   "buried-parts", "redundant-half-spaces",
-      "hidden-rules", "known-materials", "remote-paints", "hierarchy",    "grid"};
+      "hidden-rules", "known-materials", "remote-paints", "hierarchy",    "grid",
+      "written-solid"};
   return names[static_cast<std::size_t>(simplification)];
 }
 

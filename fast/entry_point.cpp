@@ -26,7 +26,7 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
     answer = Inside{lambda.value};
     return {Stage::exact, lambda.stage, Stage::none};
   }
-  const Face face{entry->leaf, scene.solid().leaves[entry->leaf], {}};
+  const Face face{entry->leaf, entry->half_space, {}};
   const HalfSpace* const crossed = entry->crossed ? &*entry->crossed : nullptr;
   const FaceMaterial found = material_at(scene, probe, ask, {lower, result.upper, face, crossed});
   answer = Border{lambda.value, face.leaf, face.half_space.normal, found.material};

@@ -8,7 +8,7 @@ enum class Value { nothing, open, everything };
 
 class Folder {
  public:
-  explicit Folder(const Expression& solid) : solid_(solid) {}
+  explicit Folder(const Expression& solid) : solid_(solid) { nodes_.reserve(solid.nodes.size()); }
 
   std::vector<Node> result() {
     const Value value = add(solid_.nodes.data());

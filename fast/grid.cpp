@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <groundtruth/fast/hierarchy.hpp>
-
 namespace groundtruth::fast {
 
 namespace {
@@ -26,13 +24,11 @@ Squares squares_of(const Grid& grid, const Box& box) {
 
 GridEntry entry_of(const Grid& grid, const Box& box, std::uint32_t column, std::uint32_t row,
                    std::uint32_t part) {
-  return {grid.part_of_column(box.low[grid.across], column),
-          grid.part_of_column(box.high[grid.across], column),
-          grid.part_of_row(box.low[grid.along], row),
-          grid.part_of_row(box.high[grid.along], row),
-          rounded_down(box.low[grid.upward]),
-          rounded_up(box.high[grid.upward]),
-          part};
+  const Stretches stretches{
+      grid.part_of_column(box.low[grid.across], column), grid.part_of_row(box.low[grid.along], row),
+      grid.part_of_height(box.low[grid.upward]),         grid.part_of_column(box.high[grid.across], column),
+      grid.part_of_row(box.high[grid.along], row),       grid.part_of_height(box.high[grid.upward])};
+  return {stretches.of_part(), part};
 }
 
 // About as many squares as parts, over the two axes along which the scene is widest.
@@ -53,6 +49,9 @@ Grid lay_out(const Box& scene, std::size_t parts) {
   grid.origin_across = scene.low[grid.across] - 0.37 * square;
   grid.origin_along = scene.low[grid.along] - 0.37 * square;
   grid.per_metre = 1 / square;
+  grid.origin_upward = scene.low[grid.upward];
+  // A flat scene has one height.
+  if (width(grid.upward) > 0) grid.upward_per_metre = (Stretches::last_place + 1) / width(grid.upward);
   grid.columns = static_cast<std::uint32_t>((width(grid.across) * grid.per_metre) + 2);
   grid.rows = static_cast<std::uint32_t>((width(grid.along) * grid.per_metre) + 2);
   return grid;

@@ -20,20 +20,6 @@ struct Squares {
 // A longer range is better served by the hierarchy.
 inline constexpr std::size_t most_squares = 6;
 
-// Places in a square are monotone, so that what lies beyond another there does so in space.
-struct SquareProbe {
-  std::int32_t first_across, first_along, last_across, last_along;  // in 256ths
-  double low, high;
-
-  // 1 or 0, without a branch.
-  [[gnu::always_inline]] inline unsigned reaches(const GridEntry& entry) const {
-    const int across = (entry.first_across <= last_across) & (entry.last_across >= first_across);
-    const int along = (entry.first_along <= last_along) & (entry.last_along >= first_along);
-    const int upward = (double{entry.low} <= high) & (double{entry.high} >= low);
-    return static_cast<unsigned>(across & along & upward);
-  }
-};
-
 // The box around a range, grown by what rounding did to its ends: first across and along, last across and
 // along abreast. The same operations as Grid's, hence the same places. Requires a grid with squares, and
 // numbers that are all known (range_ends.hpp).
@@ -49,8 +35,12 @@ class GridProbe {
     const Lanes origin =
         Lanes::four(grid.origin_across, grid.origin_along, grid.origin_across, grid.origin_along);
     places_ = (first_halves(low, high) - origin) * Lanes::all(grid.per_metre);
-    low_ = low[2];
-    high_ = high[2];
+    const Lanes heights = (Lanes::four(low[2], high[2], 0, 0) - Lanes::all(grid.origin_upward)) *
+                          Lanes::all(grid.upward_per_metre);
+    std::int32_t whole[4];
+    lesser(greater(heights, Lanes::all(0)), Lanes::all(Stretches::last_place)).store_whole(whole);
+    first_upward_ = static_cast<std::uint32_t>(whole[0]);
+    last_upward_ = static_cast<std::uint32_t>(whole[1]);
     const double last_column = grid.columns - 1, last_row = grid.rows - 1;
     last_square_ = Lanes::four(last_column, last_row, last_column, last_row);
   }
@@ -62,17 +52,19 @@ class GridProbe {
     return {number(0), number(2), number(1), number(3)};
   }
 
-  // The part of it that concerns one square.
-  [[gnu::always_inline]] inline SquareProbe in_square(std::uint32_t column, std::uint32_t row) const {
-    const Lanes part = (places_ - Lanes::four(column, row, column, row)) * Lanes::all(256);
+  // What of it concerns one square, to be compared with its entries.
+  [[gnu::always_inline]] inline std::uint64_t in_square(std::uint32_t column, std::uint32_t row) const {
+    const Lanes parts =
+        (places_ - Lanes::four(column, row, column, row)) * Lanes::all(Stretches::last_place + 1);
     std::int32_t whole[4];
-    lesser(greater(part, Lanes::all(0)), Lanes::all(255)).store_whole(whole);
-    return {whole[0], whole[1], whole[2], whole[3], low_, high_};
+    lesser(greater(parts, Lanes::all(0)), Lanes::all(Stretches::last_place)).store_whole(whole);
+    const auto part = [&](int lane) { return static_cast<std::uint32_t>(whole[lane]); };
+    return Stretches{part(0), part(1), first_upward_, part(2), part(3), last_upward_}.of_range();
   }
 
  private:
   Lanes places_, last_square_;
-  double low_, high_;
+  std::uint32_t first_upward_, last_upward_;
 };
 
 // Whether few enough squares are under it that a search should look at those.

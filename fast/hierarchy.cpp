@@ -1,13 +1,13 @@
 #include <groundtruth/fast/hierarchy.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include <boost/container/static_vector.hpp>
 #include <groundtruth/fast/lanes.hpp>
 
 namespace groundtruth::fast {
@@ -154,18 +154,10 @@ class HierarchyBuilder {
   explicit HierarchyBuilder(std::vector<BoxNode>& nodes) : nodes_(nodes) {}
 
   std::uint32_t build(const Piece& all, std::uint32_t depth) {
-    std::array<Piece, BoxNode::width> pieces{all};
-    std::uint32_t count = 1;
-    while (count < BoxNode::width) {
-      Piece* const next = worth_cutting(std::span(pieces).first(count));
-      if (next == nullptr) break;
-      Cutter cutter(next->parts);
-      std::tie(*next, pieces[count++]) =
-          depth < BoxNode::most_uneven_depth ? cutter.cut() : cutter.cut_in_halves();
-    }
+    const Pieces pieces = cut(all, depth);
     const auto place = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(empty_node());
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       const auto& [parts, box] = pieces[i];
       const std::uint32_t child =
           parts.size() == 1 ? BoxNode::first_part + parts.front().part : build(pieces[i], depth + 1);
@@ -180,15 +172,45 @@ class HierarchyBuilder {
   }
 
  private:
-  // The largest of those that can be cut.
-  static Piece* worth_cutting(std::span<Piece> pieces) {
+  using Pieces = boost::container::static_vector<Piece, BoxNode::width>;
+
+  // What fills a node of its own is not cut, but where there is room for all its parts: full nodes are few.
+  static Pieces cut(const Piece& all, std::uint32_t depth) {
+    Pieces pieces{all};
+    while (pieces.size() < BoxNode::width) {
+      Piece* const next = largest_too_large_for_a_node(pieces);
+      if (next == nullptr) break;
+      Cutter cutter(next->parts);
+      Piece other;
+      std::tie(*next, other) = depth < BoxNode::most_uneven_depth ? cutter.cut() : cutter.cut_in_halves();
+      pieces.push_back(other);
+    }
+    while (Piece* const next = most_parts_with_room(pieces)) {
+      const BoxedParts parts = next->parts;
+      *next = {parts.first(1), parts.front().box};
+      for (std::size_t i = 1; i < parts.size(); ++i) pieces.push_back({parts.subspan(i, 1), parts[i].box});
+    }
+    return pieces;
+  }
+
+  static Piece* largest_too_large_for_a_node(Pieces& pieces) {
     Piece* best = nullptr;
     double largest = -1;
     for (Piece& piece : pieces) {
       const double area = piece.box.half_area();
-      if (piece.parts.size() < 2 || !(area > largest)) continue;
+      if (piece.parts.size() <= BoxNode::width || !(area > largest)) continue;
       best = &piece;
       largest = area;
+    }
+    return best;
+  }
+
+  static Piece* most_parts_with_room(Pieces& pieces) {
+    const std::size_t room = BoxNode::width - pieces.size() + 1;
+    Piece* best = nullptr;
+    for (Piece& piece : pieces) {
+      const std::size_t size = piece.parts.size();
+      if (size >= 2 && size <= room && (best == nullptr || size > best->parts.size())) best = &piece;
     }
     return best;
   }

@@ -42,7 +42,7 @@ void Prefetcher::fetch_cells() {
   for (std::uint32_t i = grid.starts[square_]; i != grid.starts[square_ + 1] && part_count_ < most_parts;
        ++i) {
     const GridEntry& entry = grid.entries[i];
-    if (!scene_.parts().is_cell(entry.part) || !here_.reaches(entry)) continue;
+    if (!scene_.parts().is_cell(entry.part) || Stretches::reach(here_, entry.places) == 0) continue;
     parts_[part_count_++] = entry.part;
     fetch(&scene_.parts().cells.cells[entry.part]);
   }

@@ -30,7 +30,7 @@ class QuickStep {
     Contact& landed = answer.emplace<Stepped>().state.emplace<Contact>();
     touch->write(landed);
     return place_pebble(
-        ask_.frame.position_in_world, strut.landing_on(*touch->plane),
+        ask_.frame.position_in_world, strut.landing_on(touch->plane),
         [&] { return support_of_axes(ask_.frame.world_from_wheel).downward; }, landed.pebble_in_world);
   }
 
@@ -122,7 +122,7 @@ class QuickStep {
     Contact& slipped = stepped.state.emplace<Contact>();
     slipped.grip = Grip::slip;
     touch->write(slipped);
-    const QuickLanding<Pair> landing = strut.landing_on(*touch->plane);
+    const QuickLanding<Pair> landing = strut.landing_on(touch->plane);
     const auto of_way = [&] { return support().of_way(borne.clipping); };
     const auto of_move = [&] { return support().of_move(borne.clipping); };
     return place_pebble(ask_.frame.position_in_world, landing, of_way, slipped.pebble_in_world) &&
@@ -149,7 +149,7 @@ class QuickStep {
   std::optional<QuickTouch> touch_at(const QuickStrut<Pair>& strut) const {
     auto touch = quick_touch(scene_, strut.ends(), ask_.wheel.tyre);
     if (!touch || touch->kind != QuickTouch::surface) return touch;
-    const auto upright = is_upright_in_wheel(touch->plane->normal);
+    const auto upright = is_upright_in_wheel(touch->plane.normal);
     if (!upright || (*upright && !touch->friction)) return std::nullopt;
     if (!*upright) touch->kind = QuickTouch::too_steep;
     return touch;

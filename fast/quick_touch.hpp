@@ -14,12 +14,12 @@ struct QuickTouch {
 
   Kind kind = nothing;
   // Of a surface; no friction: none is known for the tyre.
-  const HalfSpace* plane = nullptr;
+  HalfSpace plane{};
   const Friction* friction = nullptr;
   std::optional<double> maximum_force{};
 
   void write(Contact& contact) const {
-    contact.normal_in_world = plane->normal;
+    contact.normal_in_world = plane.normal;
     contact.static_friction = friction->static_coefficient;
     contact.dynamic_friction = friction->dynamic_coefficient;
     contact.maximum_force = maximum_force;

@@ -30,7 +30,10 @@ struct RuleRun {
 
 class Scene {
  public:
+  // The solid as written; without nodes where all parts are cells (Simplification::written_solid).
   const Expression& solid() const { return solid_; }
+  // Of the solid as written.
+  std::size_t leaf_count() const { return leaf_count_; }
   const Parts& parts() const { return parts_; }
   const std::vector<Expression>& regions() const { return regions_; }
   // Certainly around each of them.
@@ -50,6 +53,7 @@ class Scene {
   std::vector<RuleRun>::const_iterator run_of(std::uint32_t leaf) const;
 
   Expression solid_;
+  std::size_t leaf_count_ = 0;
   Parts parts_;
   std::vector<Expression> regions_;
   std::vector<Box> region_boxes_;

@@ -33,7 +33,7 @@ class Prefetcher {
   static constexpr std::size_t most_parts = 4;
 
   const Scene& scene_;
-  SquareProbe here_{};
+  std::uint64_t here_ = 0;  // the range in it
   std::size_t square_ = 0;  // the first that the range is over
   bool has_square_ = false;
   std::uint32_t parts_[most_parts] = {};

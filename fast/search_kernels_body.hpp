@@ -72,7 +72,7 @@ class PartSearch {
         const std::uint32_t* const starts = task_.starts + std::size_t{row} * task_.grid.columns + column;
         const GridEntry *first = task_.entries + starts[0], *const end = task_.entries + starts[1];
         if (first == end) continue;
-        const SquareProbe here = near.in_square(column, row);
+        const std::uint64_t here = near.in_square(column, row);
         for (; first != end; first += few_entries < end - first ? few_entries : end - first)
           if (!visit_few(here, first, few_entries < end - first ? first + few_entries : end, may_repeat))
             return;
@@ -80,13 +80,13 @@ class PartSearch {
   }
 
   // At most few_entries. First those that are reached are gathered: which ones are nobody can foretell.
-  [[gnu::always_inline]] inline bool visit_few(const SquareProbe& here, const GridEntry* entry,
+  [[gnu::always_inline]] inline bool visit_few(std::uint64_t here, const GridEntry* entry,
                                                const GridEntry* end, bool may_repeat) {
     Part reached[few_entries];
     std::size_t count = 0;
     for (; entry != end; ++entry) {
       reached[count] = entry->part;
-      count += here.reaches(*entry);
+      count += Stretches::reach(here, entry->places);
     }
     for (std::size_t i = 0; i < count; ++i) {
       // Other squares may name the same parts.

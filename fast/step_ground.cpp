@@ -16,7 +16,7 @@ std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
   const HitPlace place{result.lower(), result.upper, face, nullptr};
   const auto material = material_by_doubles(scene, probe, place);
   if (!material) return std::nullopt;
-  return FaceFound{face.leaf, *material};
+  return FaceFound{face.leaf, face.half_space, *material};
 }
 
 std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre) {
@@ -30,7 +30,7 @@ std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends,
   }
   const auto& face = std::get<FaceFound>(*found);
   touch.kind = QuickTouch::surface;
-  touch.plane = &scene.solid().leaves[face.leaf];
+  touch.plane = face.plane;
   if (!face.material) return touch;
   const Material& material = scene.materials()[*face.material];
   touch.maximum_force = material.maximum_force;

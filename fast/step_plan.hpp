@@ -88,7 +88,7 @@ class StepPlanner {
     if (std::holds_alternative<NoContact>(*found)) return NoContact{};
     if (const auto* failure = std::get_if<StepFailure>(&*found)) return *failure;
     const auto& face = std::get<FaceFound>(*found);
-    const HalfSpace& plane = scene_.solid().leaves[face.leaf];
+    const HalfSpace& plane = face.plane;
     const auto upright = is_upright_in_wheel(axes, plane.normal);
     if (!upright) return std::nullopt;
     if (!*upright) return StepFailure::surface_too_steep;

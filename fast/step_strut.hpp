@@ -39,6 +39,7 @@ struct Landing {
 // none, or that the strut starts inside. Nothing: uncertain.
 struct FaceFound {
   Leaf leaf;
+  HalfSpace plane;
   std::optional<MaterialIndex> material;
 };
 using FaceAlong = std::variant<NoContact, StepFailure, FaceFound>;

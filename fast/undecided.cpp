@@ -5,9 +5,9 @@
 
 namespace groundtruth::fast {
 
-std::uint32_t OpenSolid::add_leaf(Leaf leaf) {
-  leaves_.push_back(scene_.solid().leaves[leaf]);
-  numbers_.push_back(leaf);
+std::uint32_t OpenSolid::add_leaf(Leaf number, const HalfSpace& half_space) {
+  leaves_.push_back(half_space);
+  numbers_.push_back(number);
   return static_cast<std::uint32_t>(leaves_.size());
 }
 
@@ -37,7 +37,7 @@ void OpenSolid::add_cell(const Contender& contender, double upper) {
   for (const OpenLeaf& leaf : open) {
     const bool holds = (leaf.turn == Turn::enters && leaf.upper < contender.meeting.lower) ||
                        (leaf.turn == Turn::leaves && leaf.lower > upper);
-    if (!holds) end = add_leaf(leaf.leaf);
+    if (!holds) end = add_leaf(cells.leaf_at(cell, leaf.leaf), cells.half_space_at(cell, leaf.leaf));
   }
   if (first == end)
     nodes_.push_back({.kind = NodeKind::everything});
@@ -55,7 +55,7 @@ void OpenSolid::add_general(const Contender& contender) {
     node.end_leaf += first;
     nodes_.push_back(node);
   }
-  for (const OpenLeaf& leaf : sieved.leaves) add_leaf(leaf.leaf);
+  for (const OpenLeaf& leaf : sieved.leaves) add_leaf(leaf.leaf, solid.leaves[leaf.leaf]);
 }
 
 RoundedLambda OpenSolid::lambda(const exact_stage::FirstPoint& point, const EntryAsk& ask) const {
@@ -101,8 +101,11 @@ std::optional<ExactEntry> decide(const Scene& scene, const Probe& probe, const E
   open.assemble(contenders.data(), contenders.data() + contenders.size(), result.upper);
   const auto point = exact_stage::first_point(open.view(), ask);
   if (!point) return std::nullopt;
-  ExactEntry entry{open.lambda(*point, ask), no_leaf, std::nullopt};
-  if (point->leaf) entry.leaf = open.number(*point->leaf);
+  ExactEntry entry{open.lambda(*point, ask), no_leaf, {}, std::nullopt};
+  if (point->leaf) {
+    entry.leaf = open.number(*point->leaf);
+    entry.half_space = open.leaf(*point->leaf);
+  }
   if (point->crossed) entry.crossed = open.leaf(*point->crossed);
   return entry;
 }

@@ -30,7 +30,7 @@ class OpenSolid {
  private:
   void add_cell(const Contender& contender, double upper);
   void add_general(const Contender& contender);
-  std::uint32_t add_leaf(Leaf leaf);
+  std::uint32_t add_leaf(Leaf number, const HalfSpace& half_space);
 
   const Scene& scene_;
   const Probe& probe_;
@@ -42,6 +42,7 @@ class OpenSolid {
 struct ExactEntry {
   RoundedLambda lambda;              // stage none: it is the range's first
   Leaf leaf = no_leaf;               // no_leaf: the range starts in the interior
+  HalfSpace half_space;              // the leaf's
   std::optional<HalfSpace> crossed;  // absent: lambda is the range's first
 };
 

@@ -43,7 +43,7 @@ Compilation compilation_of(const Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
   const fast::Scene compiled = fast::compile(scene);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  Compilation compilation{compiled.solid().leaves.size(),
+  Compilation compilation{compiled.leaf_count(),
                           compiled.parts().cells.cells.size(),
                           compiled.parts().general.size(),
                           taken.count(),

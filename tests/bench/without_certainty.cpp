@@ -60,9 +60,9 @@ class PlainSearch {
     for (std::uint32_t row = squares.first_row; row <= squares.last_row; ++row)
       for (std::uint32_t column = squares.first_column; column <= squares.last_column; ++column) {
         const std::size_t square = std::size_t{row} * grid.columns + column;
-        const fast::SquareProbe here = near.in_square(column, row);
+        const std::uint64_t here = near.in_square(column, row);
         for (std::uint32_t i = grid.starts[square]; i != grid.starts[square + 1]; ++i)
-          if (here.reaches(grid.entries[i])) visit(grid.entries[i].part);
+          if (fast::Stretches::reach(here, grid.entries[i].places) != 0) visit(grid.entries[i].part);
       }
     return true;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <groundtruth/tests/fast/shapes.hpp>
+#include <groundtruth/tests/fast/with_solid.hpp>
 
 namespace groundtruth {
 namespace {
@@ -19,7 +20,7 @@ std::string text(const fast::Node* node) {
 }
 
 std::string layout(const Shape& shape) {
-  const fast::Scene scene = fast::compile(Scene{{{"dry", {}, std::nullopt}}, shape});
+  const fast::Scene scene = fast::compile_with_solid(Scene{{{"dry", {}, std::nullopt}}, shape});
   EXPECT_EQ(scene.solid().nodes[0].size, scene.solid().nodes.size());
   return text(scene.solid().nodes.data());
 }
@@ -65,8 +66,8 @@ TEST(FastCompile, SeesThroughMaterials) {
 
 TEST(FastCompile, PutsRegionsApartFromTheSolid) {
   const Shape region = unite({plane(7), cover(0, paint(0, plane(9), plane(8)))});
-  const fast::Scene scene =
-      fast::compile(Scene{{{"dry", {}, std::nullopt}}, unite({paint(0, region, plane(0)), plane(1)})});
+  const fast::Scene scene = fast::compile_with_solid(
+      Scene{{{"dry", {}, std::nullopt}}, unite({paint(0, region, plane(0)), plane(1)})});
   ASSERT_EQ(scene.regions().size(), 1u);
   EXPECT_EQ(text(scene.regions()[0].nodes.data()), "U(C[0,1)C[1,2))");
   EXPECT_EQ(scene.regions()[0].leaves[1].offset, 8);

@@ -105,6 +105,13 @@ TEST(FastLeftOut, CountsPaintsThatDoNotReachACellAndTheNextFurtherOutDecides) {
             MaterialIndex{1});
 }
 
+TEST(FastLeftOut, CountsHalfSpacesThatOnlyCellsHoldUnlessAPartIsNoCell) {
+  const Shape house = box({0, 0, 0}, {1, 1, 1}), ground = half_space({0, 0, 1}, 0);
+  EXPECT_EQ(left_out(unite({house, ground}), Simplification::written_solid), 7u);
+  const Shape notched = intersect({house, unite({half_space({1, 0, 0}, 0.5), half_space({0, 1, 0}, 0.5)})});
+  EXPECT_EQ(left_out(unite({notched, ground}), Simplification::written_solid), 0u);
+}
+
 TEST(FastLeftOut, NamesTheIndex) {
   const auto chosen = [](const Scene& scene, Simplification what) {
     const auto all = fast::compile(scene).left_out();

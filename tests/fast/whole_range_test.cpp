@@ -11,6 +11,7 @@
 #include <groundtruth/fast/entry_point.hpp>
 #include <groundtruth/fast/step.hpp>
 #include <groundtruth/tests/fast/shapes.hpp>
+#include <groundtruth/tests/fast/with_solid.hpp>
 
 namespace groundtruth {
 namespace {
@@ -55,7 +56,9 @@ TEST(FastWholeRange, EntryAnswersLieInTheRange) {
   AnyDoubles doubles(1);
   std::size_t hits = 0;
   for (int i = 0; i < rounds; ++i) {
-    const fast::Scene scene = fast::compile(doubles.scene());
+    const Scene written = doubles.scene();
+    const fast::Scene scene = fast::compile(written);
+    const fast::Expression solid = fast::compile_with_solid(written).solid();
     EntryAsk ask{doubles.vector(), doubles.vector(), doubles.any(), doubles.any()};
     if (ask.lambda_first > ask.lambda_last) std::swap(ask.lambda_first, ask.lambda_last);
     const EntryAnswer answer = fast::entry_point(scene, ask);
@@ -65,7 +68,7 @@ TEST(FastWholeRange, EntryAnswersLieInTheRange) {
     if (const auto* border = std::get_if<Border>(&answer)) {
       ++hits;
       ASSERT_TRUE(ask.lambda_first <= border->lambda && border->lambda <= ask.lambda_last) << border->lambda;
-      ASSERT_EQ(border->normal_in_world, scene.solid().leaves.at(border->leaf).normal);
+      ASSERT_EQ(border->normal_in_world, solid.leaves.at(border->leaf).normal);
     }
   }
   EXPECT_GT(hits, 1000u);

@@ -7,13 +7,14 @@
 #include <gtest/gtest.h>
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/tests/fast/shapes.hpp>
+#include <groundtruth/tests/fast/with_solid.hpp>
 
 namespace groundtruth::fast::exact_stage {
 namespace {
 
 // At the origin, through which all planes of the shape go, coming along `heading`.
 std::optional<std::size_t> face_of(const Shape& shape, const Vector& heading, Arrival arrival) {
-  const fast::Scene scene = compile(groundtruth::Scene{{}, shape});
+  const fast::Scene scene = compile_with_solid(groundtruth::Scene{{}, shape});
   const ExpressionView view{scene.solid().nodes, scene.solid().leaves, {}};
   LeavesNearPoint near;
   for (const HalfSpace& leaf : view.leaves) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <groundtruth/fast/scene.hpp>
 #include <groundtruth/tests/fast/shapes.hpp>
+#include <groundtruth/tests/fast/with_solid.hpp>
 
 namespace groundtruth::fast::exact_stage {
 namespace {
@@ -27,7 +28,7 @@ std::optional<Entry> entry_of(const fast::Scene& scene, const EntryAsk& ask) {
 }
 
 std::optional<Entry> entry_of(const Shape& shape, const EntryAsk& ask) {
-  return entry_of(compile(groundtruth::Scene{{}, shape}), ask);
+  return entry_of(compile_with_solid(groundtruth::Scene{{}, shape}), ask);
 }
 
 void expect_border(const std::optional<Entry>& got, double lambda, std::size_t leaf) {
@@ -64,7 +65,7 @@ TEST(FastExactEntry, TheSeamOfAbuttingBoxesIsNoFace) {
 
 TEST(FastExactEntry, NumbersOfLeavesDecideWhichIsCanonical) {
   const Shape edge = intersect({half_space({1, 0, 0}, 0), half_space({0, 1, 0}, 0)});
-  const fast::Scene scene = compile(groundtruth::Scene{{}, edge});
+  const fast::Scene scene = compile_with_solid(groundtruth::Scene{{}, edge});
   const EntryAsk onto_edge{{1, 1, 0}, {-1, -1, 0}};
   ExpressionView view = view_of(scene);
   EXPECT_EQ(first_point(view, onto_edge)->leaf, 0u);
@@ -82,12 +83,13 @@ TEST(FastExactEntry, RangesStartAnywhere) {
 }
 
 TEST(FastExactEntry, MembershipIsAskedAtTheCrossingItself) {
-  const fast::Scene region = compile(groundtruth::Scene{{}, half_space({0, 1, 0}, 1.0 / 3)});
+  const fast::Scene region = compile_with_solid(groundtruth::Scene{{}, half_space({0, 1, 0}, 1.0 / 3)});
   // At x = 0 the segment's y is 1/3 of a double that is no third.
   const EntryAsk ask{{2, 1, 0}, {-1, 0, 0}};
   const HalfSpace face{{1, 0, 0}, 0};
   EXPECT_FALSE(contains(view_of(region), ask, face)) << "the double 1/3 is less than 1/3";
-  const fast::Scene more = compile(groundtruth::Scene{{}, half_space({0, 1, 0}, std::nextafter(1.0 / 3, 1))});
+  const fast::Scene more =
+      compile_with_solid(groundtruth::Scene{{}, half_space({0, 1, 0}, std::nextafter(1.0 / 3, 1))});
   EXPECT_TRUE(contains(view_of(more), ask, face));
   EXPECT_FALSE(contains(view_of(more), ask, std::nullopt)) << "the range's start";
 }
@@ -127,13 +129,13 @@ TEST(FastExactEntry, IntegersOfEveryLengthAgree) {
   for (int i = 0; i < 20000; ++i) {
     const Shape shape = solids.shape(3);
     const EntryAsk ask{solids.vector(), solids.vector(), 0, 1.5};
-    const fast::Scene scene = compile(groundtruth::Scene{{}, shape});
+    const fast::Scene scene = compile_with_solid(groundtruth::Scene{{}, shape});
     const auto expected = entry_of(scene, ask);
     ASSERT_EQ(expected ? expected->words : 1, 1u);
     borders += expected && expected->leaf;
     for (const FarOperand& far_operand : far_operands) {
       const Shape with_it = unite({shape, half_space({0, 0, 1}, far_operand.offset)});
-      const fast::Scene longer = compile(groundtruth::Scene{{}, with_it});
+      const fast::Scene longer = compile_with_solid(groundtruth::Scene{{}, with_it});
       const bool is_alone = longer.solid().leaves.size() != scene.solid().leaves.size() + 1;
       if (is_alone) continue;
       const auto got = entry_of(longer, ask);

@@ -35,7 +35,7 @@ class SceneCommand(unittest.TestCase):
     def test_builds_no_index_for_one_convex_cell(self):
         compiled = left_out({"groundtruth": "scene/1", "shape": {"box": [[0, 0, 0], [1, 1, 1]]}})
         counts = {one["what"]: one["count"] for one in compiled["left_out"]}
-        self.assertEqual(counts, {"known-materials": 1, "hierarchy": 0})
+        self.assertEqual(counts, {"known-materials": 1, "hierarchy": 0, "written-solid": 6})
 
     def test_says_why_for_every_built_in_scene(self):
         done = program.run("scene")
