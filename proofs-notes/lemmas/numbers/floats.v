@@ -30,5 +30,18 @@ Proof.
   split; intros; rewrite <- zero; apply round_le; trivial; try apply valid_rnd_N; now apply FLT_exp_valid.
 Qed.
 
+(* rounded_down and rounded_up (fast/hierarchy.cpp): sides of boxes are rounded outwards. *)
+Definition rounded_down x := if Rle_dec (to_float x) x then to_float x else pred radix2 (FLT_exp (-149) 24) (to_float x).
+Definition rounded_up x := - rounded_down (- x).
+
+Lemma rounded_outwards : forall x, rounded_down x <= x <= rounded_up x.
+Proof.
+  assert (forall x, rounded_down x <= x) as down.
+  { intros x. unfold rounded_down. destruct (Rle_dec (to_float x) x); [assumption |].
+    apply pred_round_le_id; [now apply FLT_exp_valid | apply valid_rnd_N]. }
+  intros x. split; [apply down |]. pose proof (down (- x)). unfold rounded_up. lra.
+Qed.
+
 Print Assumptions float_error.
 Print Assumptions float_sum_error.
+Print Assumptions rounded_outwards.

@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals Psatz.
 From Flocq Require Import Core Relative.
-From Groundtruth Require Import doubles floats range_ends.
+From Groundtruth Require Import doubles range_ends.
 Open Scope R_scope.
 
 (* static_cast<uint32_t> of what lies between 0 and the last one. *)
@@ -13,17 +13,13 @@ Definition whole place last := Zfloor (Rmin (Rmax place 0) (IZR last)).
 Lemma whole_is_monotone : forall p q last, p <= q -> (whole p last <= whole q last)%Z.
 Proof. intros. apply Zfloor_le, Rle_min_compat_r, Rle_max_compat_r. assumption. Qed.
 
-(* As Grid::place and Grid::part_of_square have it, by comparisons. *)
-Lemma whole_by_comparisons : forall p count, (0 < count)%Z ->
-  whole p (count - 1) = if Rle_dec p 0 then 0%Z else if Rlt_dec p (IZR count) then Zfloor p else (count - 1)%Z.
+(* As Grid::whole has it, by comparisons. *)
+Lemma whole_by_comparisons : forall p last, (0 <= last)%Z ->
+  whole p last = if Rle_dec p 0 then 0%Z else if Rlt_dec p (IZR last) then Zfloor p else last.
 Proof.
-  intros p count some. unfold whole. assert (0 <= IZR (count - 1)) by (apply IZR_le; lia).
-  destruct (Rle_dec p 0).
-  - rewrite Rmax_right, Rmin_left by lra. apply Zfloor_IZR.
-  - rewrite Rmax_left by lra. destruct (Rlt_dec p (IZR count)) as [inside | outside].
-    + destruct (Rle_or_lt p (IZR (count - 1))); [now rewrite Rmin_left |]. rewrite Rmin_right by lra. rewrite Zfloor_IZR.
-      symmetry. apply Zfloor_imp. replace (count - 1 + 1)%Z with count by ring. lra.
-    + rewrite Rmin_right; [apply Zfloor_IZR |]. apply Rle_trans with (IZR count); [apply IZR_le; lia | lra].
+  intros p last some. unfold whole. assert (0 <= IZR last) by now apply IZR_le.
+  destruct (Rle_dec p 0); [rewrite Rmax_right, Rmin_left by lra; apply Zfloor_IZR |]. rewrite Rmax_left by lra.
+  destruct (Rlt_dec p (IZR last)); [now rewrite Rmin_left by lra | rewrite Rmin_right by lra; apply Zfloor_IZR].
 Qed.
 
 Section Axis.
@@ -35,7 +31,8 @@ Variable count : Z.
 
 Definition place x := fl (fl (x - origin) * per_metre).
 Definition square_of x := whole (place x) (count - 1).
-Definition part_of_square x square := whole (fl (fl (place x - IZR square) * 256)) 255.
+Definition part_of_square x square := whole (fl (fl (place x - IZR square) * 512)) 511.
+Definition part_of_height x := whole (place x) 511.
 
 Lemma place_is_monotone : forall x y, x <= y -> place x <= place y.
 Proof. intros. apply fl_monotone, Rmult_le_compat_r; [assumption |]. apply fl_monotone. lra. Qed.
@@ -45,6 +42,9 @@ Proof.
   intros x y square le. apply whole_is_monotone, fl_monotone, Rmult_le_compat_r; [lra |]. apply fl_monotone.
   pose proof (place_is_monotone x y le). lra.
 Qed.
+
+Lemma height_is_monotone : forall x y, x <= y -> (part_of_height x <= part_of_height y)%Z.
+Proof. intros. now apply whole_is_monotone, place_is_monotone. Qed.
 
 (* Two stretches that overlap have a square in common, and overlap there. *)
 Lemma stretches_share_a_square : forall first last low high, first <= last -> low <= high -> first <= high -> low <= last ->
@@ -122,18 +122,6 @@ Qed.
 
 End Range.
 
-(* rounded_down and rounded_up (fast/hierarchy.cpp), of heights that floats reach. *)
-Definition rounded_down x := if Rle_dec (to_float x) x then to_float x else pred radix2 (FLT_exp (-149) 24) (to_float x).
-Definition rounded_up x := - rounded_down (- x).
-
-Lemma rounded_outwards : forall x, rounded_down x <= x <= rounded_up x.
-Proof.
-  assert (forall x, rounded_down x <= x) as down.
-  { intros x. unfold rounded_down. destruct (Rle_dec (to_float x) x); [assumption |].
-    apply pred_round_le_id; [now apply FLT_exp_valid | apply valid_rnd_N]. }
-  intros x. split; [apply down |]. pose proof (down (- x)). unfold rounded_up. lra.
-Qed.
-
 Section Entries.
 
 (* Axes across, along and upward: the range's ends; what they are exactly; where the part's box is. *)
@@ -142,22 +130,23 @@ Hypotheses (a_first : covers fa Fa e) (a_last : covers ta Ta e) (l_first : cover
 Hypotheses (u_first : covers fu Fu e) (u_last : covers tu Tu e) (s_in_range : 0 <= s <= 1).
 Variables low_a high_a low_l high_l low_u high_u : R.
 Hypothesis in_box : low_a <= Fa + s * (Ta - Fa) <= high_a /\ low_l <= Fl + s * (Tl - Fl) <= high_l /\ low_u <= Fu + s * (Tu - Fu) <= high_u.
-Variables origin_a origin_l per_metre : R.
-Hypothesis per_metre_pos : 0 <= per_metre.
+Variables origin_a origin_l origin_u per_metre upward_per_metre : R.
+Hypotheses (per_metre_pos : 0 <= per_metre) (upward_pos : 0 <= upward_per_metre).
 Variables columns rows : Z.
 
 Let column x := square_of origin_a per_metre columns x.
 Let row x := square_of origin_l per_metre rows x.
 Let across x c := part_of_square origin_a per_metre x c.
 Let along x r := part_of_square origin_l per_metre x r.
+Let upward x := part_of_height origin_u upward_per_metre x.
 
-(* The part has an entry in a square that is looked at (squares()), and reaches() lets it pass. *)
+(* The part has an entry in a square that is looked at (squares()), and its six places compare so that Stretches::reach() lets it pass. *)
 Theorem met_part_is_visited : exists c r : Z,
   (column (least fa ta e) <= c <= column (greatest fa ta e) /\ row (least fl_ tl e) <= r <= row (greatest fl_ tl e))%Z /\
   (column low_a <= c <= column high_a /\ row low_l <= r <= row high_l)%Z /\
   (across low_a c <= across (greatest fa ta e) c /\ across (least fa ta e) c <= across high_a c)%Z /\
   (along low_l r <= along (greatest fl_ tl e) r /\ along (least fl_ tl e) r <= along high_l r)%Z /\
-  rounded_down low_u <= greatest fu tu e /\ least fu tu e <= rounded_up high_u.
+  (upward low_u <= upward (greatest fu tu e) /\ upward (least fu tu e) <= upward high_u)%Z.
 Proof.
   destruct in_box as (box_a & box_l & box_u).
   pose proof (point_is_between fa ta Fa Ta e s a_first a_last s_in_range).
@@ -165,8 +154,7 @@ Proof.
   pose proof (point_is_between fu tu Fu Tu e s u_first u_last s_in_range).
   destruct (stretches_share_a_square origin_a per_metre per_metre_pos columns (least fa ta e) (greatest fa ta e) low_a high_a) as (c & Hc); try lra.
   destruct (stretches_share_a_square origin_l per_metre per_metre_pos rows (least fl_ tl e) (greatest fl_ tl e) low_l high_l) as (r & Hr); try lra.
-  pose proof (rounded_outwards low_u). pose proof (rounded_outwards high_u).
-  exists c, r. unfold column, row, across, along. repeat split; try tauto; lra.
+  exists c, r. unfold column, row, across, along, upward. repeat split; try tauto; apply height_is_monotone; try assumption; lra.
 Qed.
 
 End Entries.
