@@ -1,6 +1,7 @@
 #pragma once
 // Where a range first meets the parts of a solid, as far as doubles can tell. Not installed.
 
+#include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/grid_probe.hpp>
 #include <groundtruth/fast/range_ends.hpp>
 #include <groundtruth/fast/scene.hpp>
@@ -9,13 +10,45 @@
 
 namespace groundtruth::fast {
 
+Meeting meet_general(const SearchTask& task, Part part);
+void search_hierarchy(const Parts& parts, SearchTask& task);
+// Of a part that is no cell.
+Face sole_face_of_general(const Scene& scene, const Probe& probe, const Contender& contender);
+
 // Only one contender, which certainly hits through one leaf alone: that leaf, and only that, is admissible.
 // Else no_leaf.
-Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result);
+inline Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result) {
+  if (result.contenders.size() != 1) return {};
+  const Contender& sole = result.contenders.front();
+  if (!sole.meeting.certainly_hits()) return {};
+  const PackedCells& cells = scene.parts().cells;
+  if (!scene.parts().is_cell(sole.part)) return sole_face_of_general(scene, probe, sole);
+  return sole_face(cells, cells.cells[sole.part], sole.meeting);
+}
 
 // What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
 // one.
-void search(const Scene& scene, const Probe& probe, SearchResult& result);
+inline void search(const Scene& scene, const Probe& probe, SearchResult& result) {
+  const Parts& parts = scene.parts();
+  const RangeEnds& ends = probe.ends();
+  SearchTask task{parts.cells.groups.data(),
+                  parts.cells.cells.data(),
+                  parts.cells.cells.size(),
+                  parts.apart.data(),
+                  parts.apart.data() + parts.apart.size(),
+                  parts.grid,
+                  parts.grid.starts.data(),
+                  parts.grid.entries.data(),
+                  ends.first.data(),
+                  ends.last.data(),
+                  probe,
+                  result,
+                  meet_general,
+                  &scene};
+  if (parts.kernels->visit_near(task) == Left::hierarchy && !parts.hierarchy.nodes.empty())
+    search_hierarchy(parts, task);
+  if (result.contenders.size() > 1) result.drop_late_ones();
+}
 
 // Asks the memory that search() will look at for an ask to come closer, as far as it is known without waiting
 // for it: each step needs that the ones before it have had time. A range that the grid does not serve has no

@@ -20,7 +20,12 @@ struct SearchResult {
   double upper = 1;
   bool starts_inside = false;  // certainly; contenders mean nothing then
 
-  double lower() const;
+  double lower() const {
+    double least = 1;
+    for (const Contender& contender : contenders)
+      if (contender.meeting.lower < least) least = contender.meeting.lower;
+    return least;
+  }
   // Drops the contenders that start behind `upper`.
   void drop_late_ones();
 };
