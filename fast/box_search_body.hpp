@@ -24,7 +24,12 @@ class BoxMeeter {
     }
   }
 
-  [[gnu::always_inline]] inline unsigned meet(const BoxNode& node, float upper, float* nearest) const {
+  struct Met {
+    FloatLanes nearest;
+    unsigned children;  // those that are met, as bits
+  };
+
+  [[gnu::always_inline]] inline Met meet(const BoxNode& node, float upper) const {
     FloatLanes near = FloatLanes::all(0), far = FloatLanes::all(upper);
     for (int axis = 0; axis < 3; ++axis) {
       const Axis& at = axes_[axis];
@@ -33,8 +38,7 @@ class BoxMeeter {
       near = greater((near_side - at.near_origin) * at.inverse, near);
       far = lesser((far_side - at.far_origin) * at.stretched, far);
     }
-    near.store(nearest);
-    return (near <= far).bits();
+    return {near, (near <= far).bits()};
   }
 
  private:
@@ -49,7 +53,9 @@ class BoxMeeter {
 
 template <class FloatLanes>
 unsigned meet_eight_boxes(const BoxNode& node, const BoxWay& way, float upper, float* nearest) {
-  return BoxMeeter<FloatLanes>(way).meet(node, upper, nearest);
+  const auto met = BoxMeeter<FloatLanes>(way).meet(node, upper);
+  met.nearest.store(nearest);
+  return met.children;
 }
 
 // What is to be looked at, nearest last: the bits of a float >= 0 above the number of a child, in the order
@@ -60,23 +66,21 @@ class OpenChildren {
   // `fetch` asks the memory for a child. Each goes to its place by counting those before it: which of two is
   // nearer nobody can foretell.
   template <class Fetch>
-  [[gnu::always_inline]] inline void push(const float* nearest, const std::uint32_t* children, unsigned met,
-                                          const Fetch& fetch) {
-    std::uint64_t added[BoxNode::width];
-    int count = 0;
-    for (; met != 0; met &= met - 1) {
-      const int child = __builtin_ctz(met);
+  [[gnu::always_inline]] inline void push(const typename BoxMeeter<FloatLanes>::Met& met,
+                                          const std::uint32_t* children, const Fetch& fetch) {
+    float nearest[BoxNode::width];
+    met.nearest.store(nearest);
+    for (unsigned left = met.children; left != 0; left &= left - 1) {
+      const int child = __builtin_ctz(left);
+      const FloatLanes own = FloatLanes::all(nearest[child]);
+      const unsigned further = (met.nearest > own).bits() & met.children;
+      const unsigned as_near_and_later = (met.nearest >= own).bits() & left & (left - 1);
       std::uint32_t bits;
       __builtin_memcpy(&bits, nearest + child, sizeof bits);
-      added[count++] = std::uint64_t{bits} << 32 | children[child];
+      end_[__builtin_popcount(further | as_near_and_later)] = std::uint64_t{bits} << 32 | children[child];
       fetch(children[child]);
     }
-    for (int i = 0; i < count; ++i) {
-      int place = 0;
-      for (int j = 0; j < count; ++j) place += added[j] > added[i];
-      end_[place] = added[i];
-    }
-    end_ += count;
+    end_ += __builtin_popcount(met.children);
   }
   // The next one's number, if there is one that may be met no later than `upper`.
   [[gnu::always_inline]] inline bool pop(double upper, std::uint32_t& child) {

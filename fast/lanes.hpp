@@ -88,14 +88,13 @@ struct OneVector {
 
   typename Of::Vector vector;
 
+  // Anywhere among numbers.
+  using InMemory [[gnu::aligned(alignof(Number)), gnu::may_alias]] = typename Of::Vector;
+
   static OneVector all(Number x) { return {Of::all(x)}; }
   static OneVector four(Number a, Number b, Number c, Number d) { return {typename Of::Vector{a, b, c, d}}; }
-  static OneVector load(const Number* from) {
-    OneVector lanes;
-    __builtin_memcpy(&lanes.vector, from, sizeof lanes.vector);
-    return lanes;
-  }
-  void store(Number* to) const { __builtin_memcpy(to, &vector, sizeof vector); }
+  static OneVector load(const Number* from) { return {*reinterpret_cast<const InMemory*>(from)}; }
+  void store(Number* to) const { *reinterpret_cast<InMemory*>(to) = vector; }
   void store_whole(std::int32_t* to) const { Of::store_whole(vector, to); }
   Number operator[](int lane) const { return vector[lane]; }
 
