@@ -126,9 +126,48 @@ Qed.
 
 End Clipped.
 
-Print Assumptions crossed_has.
+(* StepSupport: the load on the pebble, and where the strut goes. v = w_t - v, less omega x arm. *)
+Theorem load_shown : forall arm v omega down k d t sa sv so sd, (sa < 8)%N -> (so < 8)%N ->
+  shows sa arm -> shows sv v -> shows so omega -> shows sd down ->
+  let velocity := plus v (times (-1) (cross omega arm)) in
+  let s_velocity := joined sv (crossed so sa) in
+  shows s_velocity velocity /\ shows (joined (joined sa s_velocity) sd) (plus (plus (times k arm) (times d velocity)) (times t down)).
+Proof.
+  intros arm v omega down k d t sa sv so sd a_small o_small Ha Hv Ho Hd velocity s_velocity.
+  assert (shows s_velocity velocity) by (apply shows_sum; [assumption | now apply shows_times, shows_cross]).
+  split; [assumption |]. apply shows_sum; [apply shows_sum |]; now apply shows_times.
+Qed.
+
+Theorem way_and_move_shown : forall clipped arm velocity down c d h t sc sa sv sd,
+  shows sc clipped -> shows sa arm -> shows sv velocity -> shows sd down ->
+  let spring := plus (times c clipped) (times t down) in
+  let mapped := plus (times c (plus (times h clipped) (times d (plus arm (times (- h) velocity))))) (times t down) in
+  shows (joined sc sd) spring /\ shows (joined (joined sc sd) sa) (plus spring (times (-1) arm)) /\
+  shows (joined (joined sc (joined sa sv)) sd) mapped.
+Proof.
+  intros clipped arm velocity down c d h t sc sa sv sd Hc Ha Hv Hd spring mapped.
+  assert (shows (joined sc sd) spring) by (apply shows_sum; now apply shows_times).
+  repeat split; [assumption | apply shows_sum; [assumption | now apply shows_times] |].
+  apply shows_sum; [| now apply shows_times]. apply shows_times, shows_sum; [now apply shows_times |].
+  apply shows_times, shows_sum; [assumption | now apply shows_times].
+Qed.
+
+(* support_of_axes: products known as pairs without rounding are equal iff the pairs are; squares of equal sizes. *)
+Theorem equal_products : forall ab cd high low high' low', high + low = ab -> high' + low' = cd -> high = high' /\ low = low' -> ab = cd.
+Proof. intros. lra. Qed.
+
+Theorem equal_squares : forall a b c d, Rabs a = Rabs c /\ Rabs b = Rabs d \/ Rabs a = Rabs d /\ Rabs b = Rabs c ->
+  a * a + b * b - (c * c + d * d) = 0.
+Proof.
+  intros a b c d same. assert (forall x, x * x = Rabs x * Rabs x) as sizes by (intros x; unfold Rabs; destruct (Rcase_abs x); ring).
+  rewrite (sizes a), (sizes b), (sizes c), (sizes d). destruct same as [(-> & ->) | (-> & ->)]; ring.
+Qed.
+
 Print Assumptions pulls_only_where_it_may.
 Print Assumptions band_edge_shown.
 Print Assumptions line_without_brake_shown.
 Print Assumptions corner_shown.
 Print Assumptions circle_shown.
+Print Assumptions load_shown.
+Print Assumptions way_and_move_shown.
+Print Assumptions equal_squares.
