@@ -116,6 +116,9 @@ EXPRESSIONS = [
     ("fast/search_kernels_body.hpp", "if (meeting.lower > result.upper) return true;"),
     ("fast/search_kernels_body.hpp", "if (meeting.upper < result.upper) result.upper = meeting.upper;"),
     ("fast/search.cpp", "if (contender.meeting.lower <= upper) contenders[kept++] = contender;"),
+    ("fast/undecided.cpp", "const bool holds = (leaf.turn == Turn::enters && leaf.upper < contender.meeting.lower) ||"
+                           " (leaf.turn == Turn::leaves && leaf.lower > upper);"),
+    ("fast/sieved.cpp", "if (a < -error && b < -error) return Truth::yes; if (a > error && b > error) return Truth::no;"),
     ("fast/box.cpp", "bound += 8 * unit * size + tiny;"),
     ("fast/box.cpp", "best.bound = std::min(best.bound, bound + 2 * unit * magnitude(bound) + tiny);"),
     ("fast/paint.cpp", "const double at_lower = a + place_.lower * (b - a), at_upper = a + place_.upper * (b - a);"),
