@@ -31,6 +31,8 @@ CONSTANTS = [
     ("fast/crossing_body.hpp", rf"size < {HEX}", "crossing_bound.v", "greatest_size"),
     ("fast/crossing_body.hpp", rf"{HEX} \* \(1 \+ 2 \* magnitude\) \* inverse", "crossing_bound.v", "underflow"),
     ("fast/box_probe.hpp", rf"pad = {HEX} \* \(std::abs", "box_slabs.v", "delta"),
+    ("fast/surface_in_doubles.hpp", rf"margin = {HEX} \* sizes", "decisions.v", "margin_part"),
+    ("fast/surface_in_doubles.hpp", rf"(?:depth_squared|down_|\(squared) > {HEX}", "decisions.v", "line_part"),
     ("fast/box.cpp", rf"tiny = {HEX}", "box.v", "floor"),
     ("fast/box.cpp", rf"greatest_slack = {HEX}", "box.v", "greatest_slack"),
 ]
@@ -87,6 +89,27 @@ EXPRESSIONS = [
     ("fast/grid_probe.hpp", "(places_ - Lanes::four(column, row, column, row)) * Lanes::all(Stretches::last_place + 1);"),
     ("fast/grid_probe.hpp", "lesser(greater(parts, Lanes::all(0)), Lanes::all(Stretches::last_place))"),
     ("fast/grid_probe.hpp", "lesser(greater(heights, Lanes::all(0)), Lanes::all(Stretches::last_place))"),
+    ("fast/pairs.hpp", "return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];"),
+    ("fast/surface_in_doubles.hpp", "const double difference = b - a, margin = 0x1p-44 * sizes;"
+                                    " if (difference > margin) return true; if (difference < -margin) return false;"),
+    ("fast/surface_in_doubles.hpp", "return is_at_most(least, got, (least + got) + (1 + t_squared) * length_squared);"),
+    ("fast/surface_in_doubles.hpp", "return is_at_most(got, limit, got + limit + n_squared_ * force_squared_);"),
+    ("fast/surface_in_doubles.hpp", "return is_at_most(along_squared, band, (along_squared + band) + floor);"),
+    ("fast/surface_in_doubles.hpp", "return is_at_most(turning_squared, limit, (turning_squared + limit) + disc_floor());"),
+    ("fast/surface_in_doubles.hpp", "is_at_most(limit, band, (limit + band) + disc_floor());"),
+    ("fast/surface_in_doubles.hpp", "is_at_most(across_squared, g_squared_ * corner,"
+                                    " (across_squared + g_squared_ * (limit + band)) + g_squared_ * disc_floor());"),
+    ("fast/surface_in_doubles.hpp", "is_at_most(over, along_squared * corner, (over + along_squared * (limit + band)) +"
+                                    " (g_squared_ * force_squared_) * (4 * (limit + band) + 4 * disc_floor()));"),
+    ("fast/surface_in_doubles.hpp", "return friction_squared_ * (down_ * down_);"),
+    ("fast/surface_in_doubles.hpp", "return (1 + friction_squared_) * (n_squared_ * force_squared_);"),
+    ("fast/support.hpp", "return Support((a.next() & b.previous()) | (a.previous() & b.next()));"),
+    ("fast/support.hpp", "return (axes_ >> 1 | axes_ << 2) & all_axes;"),
+    ("fast/support.hpp", "return (axes_ >> 2 | axes_ << 1) & all_axes;"),
+    ("fast/support.hpp", "const Support rightward = may_pull_across() ? cross(forward, normal) : Support();"),
+    ("fast/support.hpp", "return has_brake ? force | forward : rightward | normal;"),
+    ("fast/support.hpp", "return (has_brake ? forward : Support()) | rightward | normal;"),
+    ("fast/support.hpp", "return has_friction ? force | normal : normal;"),
     ("fast/hierarchy.cpp", "const auto rounded = static_cast<float>(x);"
                            " return double{rounded} <= x ? rounded : std::nextafter(rounded, -greatest_float);"),
     ("fast/exact_stage/strut.cpp", "ends.coordinate_error = 0x1p-53 * ends.greatest_coordinate() + 0x1p-1000;"),
@@ -97,6 +120,9 @@ EXPRESSIONS = [
     ("fast/search_kernels_body.hpp", "if (meeting.lower > result.upper) return true;"),
     ("fast/search_kernels_body.hpp", "if (meeting.upper < result.upper) result.upper = meeting.upper;"),
     ("fast/search.cpp", "if (contender.meeting.lower <= upper) contenders[kept++] = contender;"),
+    ("fast/undecided.cpp", "const bool holds = (leaf.turn == Turn::enters && leaf.upper < contender.meeting.lower) ||"
+                           " (leaf.turn == Turn::leaves && leaf.lower > upper);"),
+    ("fast/sieved.cpp", "if (a < -error && b < -error) return Truth::yes; if (a > error && b > error) return Truth::no;"),
     ("fast/box.cpp", "bound += 8 * unit * size + tiny;"),
     ("fast/box.cpp", "best.bound = std::min(best.bound, bound + 2 * unit * magnitude(bound) + tiny);"),
     ("fast/paint.cpp", "const double at_lower = a + place_.lower * (b - a), at_upper = a + place_.upper * (b - a);"),

@@ -107,12 +107,14 @@ Proof.
   apply within in a_near; apply within in b_near; apply Rabs_le; nra.
 Qed.
 
-Theorem entered_no_earlier_than_lower : forall s, 0 <= s <= 1 -> A * (1 - s) + B * s <= 0 -> lower_limit E a b <= s.
+(* Before the last rounding the limits are two units wide of any place on the wrong side. *)
+Lemma limits_before_rounding : forall s, 0 <= s <= 1 ->
+  (A * (1 - s) + B * s <= 0 -> middle a b - margin E a b <= s - 2 * u) /\ (0 <= A * (1 - s) + B * s -> s + 2 * u <= middle a b + margin E a b).
 Proof.
-  intros s Hs inside; pose proof (convex_error s Hs) as near; apply within in near.
+  intros s Hs; pose proof (convex_error s Hs) as near; apply within in near.
   destruct scaled as (alpha & delta & rho & eps & eps0 & Ha & Hd & HE & HE0 & Hr & delta_1 & rho_1 & eps0_0 & eps_half & enough).
   destruct slope_facts as (w_positive & _); destruct powers as (_ & _ & small); pose proof tiny_positive.
-  unfold lower_limit, middle, margin; fold w; rewrite Hr.
+  unfold middle, margin; fold w; rewrite Hr.
   replace (a * (rho / w)) with (alpha * rho) by (rewrite Ha; field; lra).
   replace (E * (rho / w)) with (eps * rho) by (rewrite HE; field; lra).
   apply within in delta_1; apply within in rho_1.
@@ -121,64 +123,46 @@ Proof.
   pose proof (product_at_least eps rho ltac:(assumption) ltac:(assumption)) as g_least.
   set (g := Rabs (fl (eps * rho))).
   assert (fl (eps * rho) <= g) by (unfold g; apply magnitude).
-  assert (is_double g) by (apply generic_format_abs, fl_is_double).
-  assert (0 <= g) by apply Rabs_pos.
   set (m := fl (alpha * rho)).
-  destruct (Rle_or_lt (m - g) 0) as [before | after].
-  - apply Rle_trans with 0; [| lra].
-    replace 0 with (fl 0) by (apply fl_of_double, generic_format_0); apply fl_monotone; assumption.
-  - assert (0 < alpha).
-    { apply Rnot_le_lt; intro; assert (m <= 0); [| lra].
-      replace 0 with (fl 0) by (apply fl_of_double, generic_format_0); apply fl_monotone; nra. }
-    pose proof (sum_error m (- g) (fl_is_double _) ltac:(apply generic_format_opp; assumption)) as rounded.
-    change (m + - g) with (m - g) in rounded; rewrite (Rabs_pos_eq (m - g)) in rounded by lra.
-    pose proof (fl_error (alpha * rho)) as m_near; fold m in m_near; rewrite (Rabs_pos_eq (alpha * rho)) in m_near by nra.
-    apply within in rounded; apply within in m_near.
-    assert (alpha - s * delta <= eps0).
+  pose proof (fl_error (alpha * rho)) as m_near; fold m in m_near.
+  assert (eps * (1 - u * 1.00001) <= eps * rho) by (apply Rmult_le_compat_l; lra).
+  assert (s * (1 - (u + 2 * u * u)) <= s * delta <= s * (1 + (u + 2 * u * u))) by (split; apply Rmult_le_compat_l; lra).
+  split; intros side.
+  - assert (alpha - s * delta <= eps0).
     { apply Rmult_le_reg_r with w; [assumption |]; rewrite Rmult_minus_distr_r, Rmult_assoc, <- Ha, <- Hd, <- HE0; lra. }
-    assert (s * delta <= s + (u + 2 * u * u)) by (apply Rle_trans with (s * (1 + (u + 2 * u * u)));
-      [apply Rmult_le_compat_l; lra | unfold u; lra]).
-    assert (alpha * rho <= alpha * (1 + u * 1.00001)) by (apply Rmult_le_compat_l; lra).
-    assert (eps * (1 - u * 1.00001) <= eps * rho) by (apply Rmult_le_compat_l; lra).
-    unfold u in *; lra.
-Qed.
-
-Theorem left_no_later_than_upper : forall s, 0 <= s <= 1 -> 0 <= A * (1 - s) + B * s -> s <= upper_limit E a b.
-Proof.
-  intros s Hs outside; pose proof (convex_error s Hs) as near; apply within in near.
-  destruct scaled as (alpha & delta & rho & eps & eps0 & Ha & Hd & HE & HE0 & Hr & delta_1 & rho_1 & eps0_0 & eps_half & enough).
-  destruct slope_facts as (w_positive & _); destruct powers as (_ & _ & small); pose proof tiny_positive.
-  unfold upper_limit, middle, margin; fold w; rewrite Hr.
-  replace (a * (rho / w)) with (alpha * rho) by (rewrite Ha; field; lra).
-  replace (E * (rho / w)) with (eps * rho) by (rewrite HE; field; lra).
-  apply within in delta_1; apply within in rho_1.
-  assert (0 <= rho) by (unfold u in *; lra).
-  assert (0 <= eps) by (unfold u in *; lra).
-  pose proof (product_at_least eps rho ltac:(assumption) ltac:(assumption)) as g_least.
-  set (g := Rabs (fl (eps * rho))).
-  assert (fl (eps * rho) <= g) by (unfold g; apply magnitude).
-  assert (is_double g) by (apply generic_format_abs, fl_is_double).
-  set (m := fl (alpha * rho)).
-  destruct (Rle_or_lt 1 (m + g)) as [after | before].
-  - apply Rle_trans with 1; [lra |].
-    replace 1 with (fl 1) by (apply fl_of_double, (power_is_double 0); easy); apply fl_monotone; assumption.
-  - pose proof (fl_error (alpha * rho)) as m_near; fold m in m_near; apply within in m_near.
-    assert (- eps0 <= alpha - s * delta).
+    destruct (Rle_or_lt alpha 0) as [before | after].
+    + assert (m <= 0); [| unfold u in *; lra].
+      replace 0 with (fl 0) by (apply fl_of_double, generic_format_0); apply fl_monotone; nra.
+    + rewrite (Rabs_pos_eq (alpha * rho)) in m_near by nra; apply within in m_near.
+      assert (alpha * rho <= alpha * (1 + u * 1.00001)) by (apply Rmult_le_compat_l; lra).
+      unfold u in *; lra.
+  - assert (- eps0 <= alpha - s * delta).
     { apply Rmult_le_reg_r with w; [assumption |]; rewrite Rmult_minus_distr_r, Rmult_assoc, <- Ha, <- Hd.
       replace (- eps0 * w) with (- E0) by (rewrite HE0; ring); lra. }
-    assert (s - (u + 2 * u * u) <= s * delta) by (apply Rle_trans with (s * (1 - (u + 2 * u * u)));
-      [unfold u; lra | apply Rmult_le_compat_l; lra]).
-    assert (eps * (1 - u * 1.00001) <= eps * rho) by (apply Rmult_le_compat_l; lra).
-    assert (s - 4 * u - eps0 * (1 + 3 * u) - tiny <= m).
-    { destruct (Rle_or_lt 0 alpha) as [positive | negative].
-      - assert (alpha * (1 - u * 1.00001) <= alpha * rho) by (apply Rmult_le_compat_l; lra).
-        rewrite (Rabs_pos_eq (alpha * rho)) in m_near by nra; unfold u in *; lra.
-      - assert (alpha * (1 + u * 1.00001) <= alpha * rho) by nra.
-        rewrite (Rabs_left1 (alpha * rho)) in m_near by nra; unfold u in *; lra. }
-    assert (s + 2 * u <= m + g) by (unfold u in *; lra).
-    pose proof (sum_error m g (fl_is_double _) ltac:(assumption)) as rounded.
-    rewrite (Rabs_pos_eq (m + g)) in rounded by (unfold u in *; lra).
-    apply within in rounded; unfold u in *; lra.
+    destruct (Rle_or_lt 0 alpha) as [positive | negative].
+    + rewrite (Rabs_pos_eq (alpha * rho)) in m_near by nra; apply within in m_near.
+      assert (alpha * (1 - u * 1.00001) <= alpha * rho) by (apply Rmult_le_compat_l; lra).
+      unfold u in *; lra.
+    + rewrite (Rabs_left1 (alpha * rho)) in m_near by nra; apply within in m_near.
+      assert (alpha * (1 + u * 1.00001) <= alpha * rho) by nra.
+      unfold u in *; lra.
+Qed.
+
+(* Strictly: a place at a limit is on the right side, at the ends of the range too. *)
+Theorem entered_after_lower : forall s, 0 <= s <= 1 -> A * (1 - s) + B * s <= 0 -> lower_limit E a b < s.
+Proof.
+  intros s Hs side; destruct (limits_before_rounding s Hs) as [wide _]; specialize (wide side); destruct powers as (_ & _ & small).
+  apply Rle_lt_trans with (fl (s - 2 * u)); [now apply fl_monotone |].
+  pose proof (fl_error (s - 2 * u)) as near; assert (Rabs (s - 2 * u) <= 1) by (apply Rabs_le; unfold u; lra).
+  apply within in near; unfold u in *; lra.
+Qed.
+
+Theorem left_before_upper : forall s, 0 <= s <= 1 -> 0 <= A * (1 - s) + B * s -> s < upper_limit E a b.
+Proof.
+  intros s Hs side; destruct (limits_before_rounding s Hs) as [_ wide]; specialize (wide side); destruct powers as (_ & _ & small).
+  apply Rlt_le_trans with (fl (s + 2 * u)); [| now apply fl_monotone].
+  pose proof (fl_error (s + 2 * u)) as near; assert (Rabs (s + 2 * u) <= 1 + 2 * u) by (apply Rabs_le; unfold u; lra).
+  apply within in near; unfold u in *; lra.
 Qed.
 
 End Crossing.
@@ -256,9 +240,9 @@ Qed.
 (* A place s of the range lies in the half-space iff A (1 - s) + B s <= 0. *)
 Theorem crossing_is_between_limits : E < greatest_usable_error -> forall s, 0 <= s <= 1 ->
   (2 * E < slope a b ->
-    (A * (1 - s) + B * s <= 0 -> lower_limit E a b <= s) /\ (0 <= A * (1 - s) + B * s -> s <= upper_limit E a b)) /\
+    (A * (1 - s) + B * s <= 0 -> lower_limit E a b < s) /\ (0 <= A * (1 - s) + B * s -> s < upper_limit E a b)) /\
   (slope a b < - (2 * E) ->
-    (0 <= A * (1 - s) + B * s -> lower_limit E a b <= s) /\ (A * (1 - s) + B * s <= 0 -> s <= upper_limit E a b)).
+    (0 <= A * (1 - s) + B * s -> lower_limit E a b < s) /\ (A * (1 - s) + B * s <= 0 -> s < upper_limit E a b)).
 Proof.
   intros usable s Hs; destruct bound_is_enough as [positive enough].
   destruct sizes_are_not_negative as (HN & HD & HX & He).
@@ -271,8 +255,8 @@ Proof.
   assert (is_double a) as double_a by apply fl_is_double; assert (is_double b) as double_b by apply fl_is_double.
   split; intros steep.
   - split; intros side.
-    + now apply (entered_no_earlier_than_lower A B a b E E0 (N * X + D)).
-    + now apply (left_no_later_than_upper A B a b E E0 (N * X + D)).
+    + now apply (entered_after_lower A B a b E E0 (N * X + D)).
+    + now apply (left_before_upper A B a b E E0 (N * X + D)).
   - destruct (mirrored E a b) as (same_lower & same_upper & turned).
     assert (Rabs (- a - - A) <= E0) by (replace (- a - - A) with (- (a - A)) by ring; now rewrite Rabs_Ropp).
     assert (Rabs (- b - - B) <= E0) by (replace (- b - - B) with (- (b - B)) by ring; now rewrite Rabs_Ropp).
@@ -280,8 +264,8 @@ Proof.
     assert (is_double (- b)) by now apply generic_format_opp.
     rewrite <- (Rabs_Ropp a) in size_a; rewrite <- (Rabs_Ropp b) in size_b.
     rewrite <- same_lower, <- same_upper; split; intros side.
-    + apply (entered_no_earlier_than_lower (- A) (- B) (- a) (- b) E E0 (N * X + D)); auto; lra.
-    + apply (left_no_later_than_upper (- A) (- B) (- a) (- b) E E0 (N * X + D)); auto; lra.
+    + apply (entered_after_lower (- A) (- B) (- a) (- b) E E0 (N * X + D)); auto; lra.
+    + apply (left_before_upper (- A) (- B) (- a) (- b) E E0 (N * X + D)); auto; lra.
 Qed.
 
 End Together.
