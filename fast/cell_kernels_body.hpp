@@ -136,26 +136,38 @@ class GroupsMet {
   return {0, a < -error && b < -error ? -1.0 : 2.0, no_place};
 }
 
-// Two groups at a time: most cells have no more, and most are missed before anything is divided. Requires a
-// usable error bound. A meeting behind `latest` may be told as a miss.
+// Before anything is divided, or laid out for it: most cells are missed.
+template <class Lanes>
+[[gnu::always_inline]] inline Meeting meet_two_groups(const HalfSpaces4* groups, const EndLanes<Lanes>& ends,
+                                                      double error, double latest) {
+  const auto one = ends.deltas(groups[0]), other = ends.deltas(groups[1]);
+  const GroupCrosser<Lanes> crosser(error);
+  if ((crosser.is_outside(one) | crosser.is_outside(other)).bits() != 0) return no_meeting;
+  GroupsMet<Lanes> met;
+  met.add(crosser.cross(one), 0);
+  met.add(crosser.cross(other), 1);
+  return met.meeting(latest);
+}
+
+template <class Lanes>
+[[gnu::noinline]] Meeting meet_any_groups(const HalfSpaces4* group, const HalfSpaces4* end,
+                                          const EndLanes<Lanes>& ends, double error, double latest) {
+  const GroupCrosser<Lanes> crosser(error);
+  GroupsMet<Lanes> met;
+  for (double number = 0; group != end; ++group, ++number) {
+    const auto at = ends.deltas(*group);
+    if (crosser.is_outside(at).bits() != 0) return no_meeting;
+    met.add(crosser.cross(at), number);
+  }
+  return met.meeting(latest);
+}
+
+// Most cells have two groups. Requires a usable error bound. A meeting behind `latest` may be told as a miss.
 template <class Lanes>
 [[gnu::always_inline]] inline Meeting meet_groups(const HalfSpaces4* group, const HalfSpaces4* end,
                                                   const EndLanes<Lanes>& ends, double error, double latest) {
-  const GroupCrosser<Lanes> crosser(error);
-  GroupsMet<Lanes> met;
-  double number = 0;
-  for (; end - group >= 2; group += 2, number += 2) {
-    const auto one = ends.deltas(group[0]), other = ends.deltas(group[1]);
-    if ((crosser.is_outside(one) | crosser.is_outside(other)).bits() != 0) return no_meeting;
-    met.add(crosser.cross(one), number);
-    met.add(crosser.cross(other), number + 1);
-  }
-  if (group != end) {
-    const auto last = ends.deltas(*group);
-    if (crosser.is_outside(last).bits() != 0) return no_meeting;
-    met.add(crosser.cross(last), number);
-  }
-  return met.meeting(latest);
+  if (end - group == 2) return meet_two_groups(group, ends, error, latest);
+  return meet_any_groups(group, end, ends, error, latest);
 }
 
 }  // namespace groundtruth::fast
