@@ -38,7 +38,7 @@ float no_less_than(double x) {
 
 }  // namespace
 
-void PackedCells::add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces) {
+void PackedCells::add(std::span<const std::uint32_t> numbers, std::span<const HalfSpace> half_spaces) {
   Cell cell{.first_group = static_cast<std::uint32_t>(groups.size()),
             .leaf_count = static_cast<std::uint32_t>(numbers.size())};
   double normal_size = 0, offset_size = 0;

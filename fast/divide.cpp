@@ -180,7 +180,8 @@ class Divider {
   const CompileOptions& options_;
   std::vector<LeftOut>& left_out_;
   std::vector<std::uint32_t> convex_;  // where they start in the solid's nodes
-  std::vector<Box> boxes_, general_boxes_;
+  LargeVector<Box> boxes_;
+  std::vector<Box> general_boxes_;
   std::vector<HalfSpace> half_spaces_, of_another_;  // of one part
   std::vector<std::uint32_t> kept_;                  // of one part
   Parts parts_;

@@ -71,6 +71,14 @@ TEST(FastLeftOut, CountsDuplicatesEmptyAndBuriedParts) {
   EXPECT_EQ(left_out(unite({house, ground, box({0, 0, -2}, {1, 1, 0})}), Simplification::buried_parts), 0u);
 }
 
+TEST(FastLeftOut, CountsDuplicatesWhateverStoodBetweenTheirHalfSpacesAndWithEitherZero) {
+  const Shape interrupted =
+      intersect({half_space({1, 0, 0}, 1), half_space({0, 0, 0}, 1), half_space({0, 1, 0}, 2)});
+  const Shape whole = intersect({half_space({1, -0.0, 0}, 1), half_space({0, 1, -0.0}, 2)});
+  const Shape other = intersect({half_space({1, 0, 0}, 1), half_space({0, 1, 0}, 3)});
+  EXPECT_EQ(left_out(unite({interrupted, other, whole, interrupted}), Simplification::duplicates), 2u);
+}
+
 TEST(FastLeftOut, CountsRedundantHalfSpacesOnlyIfTheCellStaysAwayFromThem) {
   const auto cut = [](double offset) {
     return intersect({box({0, 0, 0}, {1, 1, 1}), half_space({1, 1, 0}, offset)});
