@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include <boost/container/static_vector.hpp>
 #include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
+#include <groundtruth/fast/prefetch.hpp>
 #include <groundtruth/fast/undecided.hpp>
 
 namespace groundtruth::fast {
@@ -78,25 +78,13 @@ EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {
 }
 
 void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
-  // What has few squares is in the cache.
-  constexpr std::size_t fewest_entries = 10000;
-  if (scene.parts().grid.entries.size() < fewest_entries) {
-    for (std::size_t i = 0; i != asks.size(); ++i) decide(scene, asks[i], answers[i]);
-    return;
-  }
-  constexpr std::size_t most_in_flight = 16;
-  boost::container::static_vector<Prefetcher, most_in_flight> in_flight;
-  for (std::size_t first = 0; first < asks.size(); first += most_in_flight) {
-    const std::size_t end = std::min(asks.size(), first + most_in_flight);
-    in_flight.clear();
-    for (std::size_t i = first; i != end; ++i) {
-      in_flight.emplace_back(scene, ends_of(asks[i]));
-      in_flight.back().fetch_starts();
-    }
-    for (Prefetcher& ask : in_flight) ask.fetch_entries();
-    for (Prefetcher& ask : in_flight) ask.fetch_cells();
-    for (Prefetcher& ask : in_flight) ask.fetch_half_spaces();
-    for (std::size_t i = first; i != end; ++i) decide(scene, asks[i], answers[i]);
+  Prefetcher prefetcher(scene);
+  while (!asks.empty()) {
+    const std::size_t count = std::min(asks.size(), Prefetcher::most_asks);
+    prefetcher.fetch(asks.first(count));
+    for (std::size_t i = 0; i != count; ++i) decide(scene, asks[i], answers[i]);
+    asks = asks.subspan(count);
+    answers = answers.subspan(count);
   }
 }
 

@@ -1,5 +1,4 @@
-#include <groundtruth/fast/grid_probe.hpp>
-#include <groundtruth/fast/search.hpp>
+#include <groundtruth/fast/prefetch.hpp>
 
 namespace groundtruth::fast {
 
@@ -9,52 +8,70 @@ void fetch(const void* address) { __builtin_prefetch(address); }
 
 // Two groups of half-spaces are what a house has.
 constexpr std::size_t most_bytes_of_cell = 2 * sizeof(HalfSpaces4);
+constexpr std::size_t fewest_entries = 10000;
 
 }  // namespace
 
-Prefetcher::Prefetcher(const Scene& scene, const RangeEnds& ends) : scene_(scene) {
-  const Grid& grid = scene.parts().grid;
-  if (grid.rows == 0) return;
+Prefetcher::Prefetcher(const Scene& scene)
+    : parts_(scene.parts()), is_large_(parts_.grid.entries.size() >= fewest_entries) {
+  recent_.fill(no_square);
+}
+
+void Prefetcher::fetch(std::span<const EntryAsk> asks) {
+  if (!is_large_) return;
+  ask_count_ = part_count_ = 0;
+  for (const EntryAsk& ask : asks) add(ask);
+  if (ask_count_ == 0) return;
+  fetch_entries();
+  fetch_cells();
+  fetch_half_spaces();
+}
+
+void Prefetcher::add(const EntryAsk& ask) {
+  const Grid& grid = parts_.grid;
+  const RangeEnds ends = ends_of(ask);
   const GridProbe<Lanes> near(grid, ends.first.data(), ends.last.data(), ends.coordinate_error);
   const Squares squares = near.squares();
-  if (!is_served(squares)) return;
-  has_square_ = true;
-  here_ = near.in_square(squares.first_column, squares.first_row);
-  square_ = std::size_t{squares.first_row} * grid.columns + squares.first_column;
+  const std::uint32_t square = squares.first_row * grid.columns + squares.first_column;
+  if (recent_[square % recent_squares] == square || !is_served(squares)) return;
+  recent_[square % recent_squares] = square;
+  asks_[ask_count_++] = {square, 0, 0, near.in_square(squares.first_column, squares.first_row)};
+  fast::fetch(&grid.starts[square]);
 }
 
-void Prefetcher::fetch_starts() const {
-  if (has_square_) fetch(&scene_.parts().grid.starts[square_]);
-}
-
-void Prefetcher::fetch_entries() const {
-  if (!has_square_) return;
-  const Grid& grid = scene_.parts().grid;
-  const std::uint32_t first = grid.starts[square_], end = grid.starts[square_ + 1];
-  if (first == end) return;
-  fetch(&grid.entries[first]);
-  fetch(&grid.entries[end - 1]);
+void Prefetcher::fetch_entries() {
+  const Grid& grid = parts_.grid;
+  for (std::size_t i = 0; i != ask_count_; ++i) {
+    InFlight& ask = asks_[i];
+    ask.first_entry = grid.starts[ask.square];
+    ask.end_entry = grid.starts[ask.square + 1];
+    if (ask.first_entry == ask.end_entry) continue;
+    fast::fetch(&grid.entries[ask.first_entry]);
+    fast::fetch(&grid.entries[ask.end_entry - 1]);
+  }
 }
 
 void Prefetcher::fetch_cells() {
-  if (!has_square_) return;
-  const Grid& grid = scene_.parts().grid;
-  for (std::uint32_t i = grid.starts[square_]; i != grid.starts[square_ + 1] && part_count_ < most_parts;
-       ++i) {
-    const GridEntry& entry = grid.entries[i];
-    if (!scene_.parts().is_cell(entry.part) || Stretches::reach(here_, entry.places) == 0) continue;
-    parts_[part_count_++] = entry.part;
-    fetch(&scene_.parts().cells.cells[entry.part]);
+  for (std::size_t i = 0; i != ask_count_; ++i) {
+    const InFlight& ask = asks_[i];
+    std::size_t room = most_parts;
+    for (std::uint32_t at = ask.first_entry; at != ask.end_entry && room != 0; ++at) {
+      const GridEntry& entry = parts_.grid.entries[at];
+      if (!parts_.is_cell(entry.part) || Stretches::reach(ask.here, entry.places) == 0) continue;
+      cells_[part_count_++] = entry.part;
+      fast::fetch(&parts_.cells.cells[entry.part]);
+      --room;
+    }
   }
 }
 
 void Prefetcher::fetch_half_spaces() const {
-  const PackedCells& cells = scene_.parts().cells;
-  for (std::size_t i = 0; i < part_count_; ++i) {
-    const Cell& cell = cells.cells[parts_[i]];
+  const PackedCells& cells = parts_.cells;
+  for (std::size_t i = 0; i != part_count_; ++i) {
+    const Cell& cell = cells.cells[cells_[i]];
     if (cell.leaf_count == 0) continue;
     const char* const bytes = reinterpret_cast<const char*>(&cells.groups[cell.first_group]);
-    for (std::size_t at = 0; at < most_bytes_of_cell; at += 64) fetch(bytes + at);
+    for (std::size_t at = 0; at < most_bytes_of_cell; at += 64) fast::fetch(bytes + at);
   }
 }
 
