@@ -20,5 +20,7 @@ struct DecidedEntry : EntryStages {
 
 // entry_point() is its answer.
 DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask);
+// The answer goes where it is wanted.
+EntryStages decide_entry(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer);
 
 }  // namespace groundtruth::fast

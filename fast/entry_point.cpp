@@ -1,11 +1,8 @@
 #include <groundtruth/fast/entry_point.hpp>
 
-#include <algorithm>
-
 #include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
-#include <groundtruth/fast/prefetch.hpp>
 #include <groundtruth/fast/undecided.hpp>
 
 namespace groundtruth::fast {
@@ -71,21 +68,14 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
   return entry;
 }
 
+EntryStages decide_entry(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  return decide(scene, ask, answer);
+}
+
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {
   EntryAnswer answer;
   decide(scene, ask, answer);
   return answer;
-}
-
-void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
-  Prefetcher prefetcher(scene);
-  while (!asks.empty()) {
-    const std::size_t count = std::min(asks.size(), Prefetcher::most_asks);
-    prefetcher.fetch(asks.first(count));
-    for (std::size_t i = 0; i != count; ++i) decide(scene, asks[i], answers[i]);
-    asks = asks.subspan(count);
-    answers = answers.subspan(count);
-  }
 }
 
 }  // namespace groundtruth::fast

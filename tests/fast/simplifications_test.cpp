@@ -131,17 +131,5 @@ TEST(FastLeftOut, NamesTheIndex) {
   EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::grid));
 }
 
-TEST(FastBulk, GivesTheAnswersOfOneByOne) {
-  for (const Scene& scene :
-       {cases::house(), cases::town_of(60, 1), cases::hills_of(6), cases::runway_of(50)}) {
-    const fast::Scene compiled = fast::compile(scene);
-    const auto asks = asks_about(scene, 5, 1003);
-    std::vector<EntryAnswer> answers(asks.size());
-    fast::entry_points(compiled, asks, answers);
-    for (std::size_t i = 0; i < asks.size(); ++i)
-      ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
-  }
-}
-
 }  // namespace
 }  // namespace groundtruth
