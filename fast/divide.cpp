@@ -138,7 +138,9 @@ class Divider {
         ++i;
       }
     }
-    parts_.cells.add(kept_, solid_.leaves);
+    half_spaces_.clear();
+    for (const std::uint32_t leaf : kept_) half_spaces_.push_back(solid_.leaves[leaf]);
+    parts_.cells.add(kept_, half_spaces_);
   }
 
   // Null: kept_[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others

@@ -51,7 +51,7 @@ struct PackedCells {
   std::vector<std::uint32_t> leaves;
   LargeVector<Cell> cells;
 
-  // Appends a cell of these half-spaces, by their numbers.
+  // Appends a cell of these half-spaces, with their numbers.
   void add(std::span<const std::uint32_t> numbers, std::span<const HalfSpace> half_spaces);
 
   // Of the half-space at this place in the cell.
