@@ -30,20 +30,9 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
   return {Stage::exact, lambda.stage, found.stage};
 }
 
-EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
-  const Probe probe(ask);
-  SearchResult result;
-  search(scene, probe, result);
-  if (result.starts_inside) {
-    answer = Inside{ask.lambda_first + 0.0};
-    return {Stage::doubles, Stage::none, Stage::none};
-  }
-  if (result.contenders.empty()) {
-    answer = Miss{};
-    return {Stage::doubles, Stage::none, Stage::none};
-  }
-  const Face face = sole_face(scene, probe, result);
-  if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
+[[gnu::always_inline]] inline EntryStages hit(const Scene& scene, const Probe& probe, const EntryAsk& ask,
+                                              const SearchResult& result, const Face& face,
+                                              EntryAnswer& answer) {
   const RoundedLambda lambda = correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask);
   // Field by field, for the same reason as HitPlace.
   auto& border = answer.emplace<Border>();
@@ -60,6 +49,23 @@ EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer)
   return {Stage::doubles, lambda.stage, found.stage};
 }
 
+EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  const Probe probe(ask);
+  SearchResult result;
+  search(scene, probe, result);
+  if (result.starts_inside) {
+    answer = Inside{ask.lambda_first + 0.0};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  if (result.contenders.empty()) {
+    answer = Miss{};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
+  return hit(scene, probe, ask, result, face, answer);
+}
+
 }  // namespace
 
 DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
@@ -70,6 +76,11 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
 
 EntryStages decide_entry(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
   return decide(scene, ask, answer);
+}
+
+void answer_with_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const SearchResult& result,
+                      const Face& face, EntryAnswer& answer) {
+  hit(scene, probe, ask, result, face, answer);
 }
 
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {

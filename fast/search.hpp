@@ -25,6 +25,13 @@ inline Face sole_face(const Scene& scene, const Probe& probe, const SearchResult
   if (!scene.parts().is_cell(sole.part)) return sole_face_of_general(scene, probe, sole);
   return sole_face(cells, cells.cells[sole.part], sole.meeting);
 }
+// The same where all parts are these cells.
+inline Face sole_face(const PackedCells& cells, const SearchResult& result) {
+  if (result.contenders.size() != 1) return {};
+  const Contender& sole = result.contenders.front();
+  if (!sole.meeting.certainly_hits()) return {};
+  return sole_face(cells, cells.cells[sole.part], sole.meeting);
+}
 
 // What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
 // one.
