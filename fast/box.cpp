@@ -97,9 +97,16 @@ class ThreeNormals {
 void bound_by_three(std::span<const HalfSpace> half_spaces, std::array<Bound, 6>& bounds,
                     const std::array<bool, 6>& is_wanted) {
   const std::size_t count = std::min(half_spaces.size(), most_half_spaces);
+  // Weights >= 0 make no direction of normals of which none looks along it.
+  std::array<unsigned, most_half_spaces> looks_along{};  // the wanted directions, as bits
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t at = 0; at < 6; ++at)
+      if (is_wanted[at] && directions[at].sign * half_spaces[i].normal[directions[at].axis] > 0)
+        looks_along[i] |= 1U << at;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
       for (std::size_t k = j + 1; k < count; ++k) {
+        if ((looks_along[i] | looks_along[j] | looks_along[k]) == 0) continue;
         const ThreeNormals normals(half_spaces[i], half_spaces[j], half_spaces[k]);
         if (!normals.are_independent()) continue;
         for (std::size_t at = 0; at < 6; ++at)

@@ -13,6 +13,15 @@ OpenLeaf open_leaf(std::uint32_t leaf, double delta_at_first, double delta_at_la
   return {middle - margin, middle + margin, leaf, w > 0 ? Turn::enters : Turn::leaves};
 }
 
+bool is_apart(const PackedCells& cells, const Cell& cell, const Box& box) {
+  if (box.is_empty()) return true;
+  for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
+    const auto& [n, d] = cells.half_space_at(cell, place);
+    if (greatest_delta({{-n[0], -n[1], -n[2]}, -d}, box) < 0) return true;
+  }
+  return false;
+}
+
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves) {
   const double error = probe.error_bound(double{cell.normal_size}, double{cell.offset_size});
   const Vector &x = probe.ends().first, &y = probe.ends().last;
@@ -38,7 +47,7 @@ float no_less_than(double x) {
 
 }  // namespace
 
-void PackedCells::add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces) {
+void PackedCells::add(std::span<const std::uint32_t> numbers, std::span<const HalfSpace> half_spaces) {
   Cell cell{.first_group = static_cast<std::uint32_t>(groups.size()),
             .leaf_count = static_cast<std::uint32_t>(numbers.size())};
   double normal_size = 0, offset_size = 0;
@@ -47,7 +56,7 @@ void PackedCells::add(std::span<const std::uint32_t> numbers, const std::vector<
     const std::uint32_t lane = place % 4;
     if (lane == 0) groups.push_back({{}, {}, {}, {0x1p1000, 0x1p1000, 0x1p1000, 0x1p1000}});
     HalfSpaces4& group = groups.back();
-    const auto& [normal, offset] = half_spaces[numbers[place]];
+    const auto& [normal, offset] = half_spaces[place];
     group.normal_x[lane] = normal[0];
     group.normal_y[lane] = normal[1];
     group.normal_z[lane] = normal[2];

@@ -73,6 +73,9 @@ inline Face sole_face(const PackedCells& cells, const Cell& cell, const Meeting&
   return {cells.leaf_at(cell, place), cells.half_space_at(cell, place), cell.material};
 }
 
+// Certainly no point of the box lies in the cell.
+bool is_apart(const PackedCells& cells, const Cell& cell, const Box& box);
+
 // Appends the half-spaces of the cell inside of which the range does not certainly stay.
 void add_open_leaves(const PackedCells& cells, const Cell& cell, const Probe& probe, OpenLeaves& leaves);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include <groundtruth/fast/cell.hpp>
 #include <groundtruth/fast/divide.hpp>
 #include <groundtruth/fast/scene.hpp>
 
@@ -110,21 +111,11 @@ class Compiler {
     if (!options_.has(Simplification::remote_paints)) return rule;
     for (int i = 0; i != most_skipped && rule != RuleRun::no_rule; ++i) {
       const MaterialRule& at = scene_.rules_[rule];
-      if (!at.region || !is_apart(cell, scene_.region_boxes_[*at.region])) break;
+      if (!at.region || !is_apart(scene_.parts_.cells, cell, scene_.region_boxes_[*at.region])) break;
       rule = at.outer_rule.value_or(RuleRun::no_rule);
       ++skipped;
     }
     return rule;
-  }
-
-  // Certainly no point of the box lies in the cell.
-  bool is_apart(const Cell& cell, const Box& box) const {
-    if (box.is_empty()) return true;
-    for (std::uint32_t place = 0; place != cell.leaf_count; ++place) {
-      const auto& [n, d] = scene_.parts_.cells.half_space_at(cell, place);
-      if (greatest_delta({{-n[0], -n[1], -n[2]}, -d}, box) < 0) return true;
-    }
-    return false;
   }
 
   CellMaterial material_by(std::uint32_t rule) const {

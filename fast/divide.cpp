@@ -138,7 +138,9 @@ class Divider {
         ++i;
       }
     }
-    parts_.cells.add(kept_, solid_.leaves);
+    half_spaces_.clear();
+    for (const std::uint32_t leaf : kept_) half_spaces_.push_back(solid_.leaves[leaf]);
+    parts_.cells.add(kept_, half_spaces_);
   }
 
   // Null: kept_[i] must stay. Of equal leaves the first is canonical. A plane beyond a box that the others
@@ -180,7 +182,8 @@ class Divider {
   const CompileOptions& options_;
   std::vector<LeftOut>& left_out_;
   std::vector<std::uint32_t> convex_;  // where they start in the solid's nodes
-  std::vector<Box> boxes_, general_boxes_;
+  LargeVector<Box> boxes_;
+  std::vector<Box> general_boxes_;
   std::vector<HalfSpace> half_spaces_, of_another_;  // of one part
   std::vector<std::uint32_t> kept_;                  // of one part
   Parts parts_;

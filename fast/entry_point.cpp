@@ -1,8 +1,5 @@
 #include <groundtruth/fast/entry_point.hpp>
 
-#include <algorithm>
-
-#include <boost/container/static_vector.hpp>
 #include <groundtruth/fast/cell_kernels.hpp>
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/paint.hpp>
@@ -33,20 +30,9 @@ EntryStages decide_exactly(const Scene& scene, const Probe& probe, const EntryAs
   return {Stage::exact, lambda.stage, found.stage};
 }
 
-EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
-  const Probe probe(ask);
-  SearchResult result;
-  search(scene, probe, result);
-  if (result.starts_inside) {
-    answer = Inside{ask.lambda_first + 0.0};
-    return {Stage::doubles, Stage::none, Stage::none};
-  }
-  if (result.contenders.empty()) {
-    answer = Miss{};
-    return {Stage::doubles, Stage::none, Stage::none};
-  }
-  const Face face = sole_face(scene, probe, result);
-  if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
+[[gnu::always_inline]] inline EntryStages hit(const Scene& scene, const Probe& probe, const EntryAsk& ask,
+                                              const SearchResult& result, const Face& face,
+                                              EntryAnswer& answer) {
   const RoundedLambda lambda = correctly_rounded_crossing(*scene.parts().kernels, face.half_space, ask);
   // Field by field, for the same reason as HitPlace.
   auto& border = answer.emplace<Border>();
@@ -63,6 +49,23 @@ EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer)
   return {Stage::doubles, lambda.stage, found.stage};
 }
 
+EntryStages decide(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  const Probe probe(ask);
+  SearchResult result;
+  search(scene, probe, result);
+  if (result.starts_inside) {
+    answer = Inside{ask.lambda_first + 0.0};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  if (result.contenders.empty()) {
+    answer = Miss{};
+    return {Stage::doubles, Stage::none, Stage::none};
+  }
+  const Face face = sole_face(scene, probe, result);
+  if (face.leaf == no_leaf) return decide_exactly(scene, probe, ask, result, answer);
+  return hit(scene, probe, ask, result, face, answer);
+}
+
 }  // namespace
 
 DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
@@ -71,33 +74,19 @@ DecidedEntry decide_entry(const Scene& scene, const EntryAsk& ask) {
   return entry;
 }
 
+EntryStages decide_entry(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  return decide(scene, ask, answer);
+}
+
+void answer_with_face(const Scene& scene, const Probe& probe, const EntryAsk& ask, const SearchResult& result,
+                      const Face& face, EntryAnswer& answer) {
+  hit(scene, probe, ask, result, face, answer);
+}
+
 EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask) {
   EntryAnswer answer;
   decide(scene, ask, answer);
   return answer;
-}
-
-void entry_points(const Scene& scene, std::span<const EntryAsk> asks, std::span<EntryAnswer> answers) {
-  // What has few squares is in the cache.
-  constexpr std::size_t fewest_entries = 10000;
-  if (scene.parts().grid.entries.size() < fewest_entries) {
-    for (std::size_t i = 0; i != asks.size(); ++i) decide(scene, asks[i], answers[i]);
-    return;
-  }
-  constexpr std::size_t most_in_flight = 16;
-  boost::container::static_vector<Prefetcher, most_in_flight> in_flight;
-  for (std::size_t first = 0; first < asks.size(); first += most_in_flight) {
-    const std::size_t end = std::min(asks.size(), first + most_in_flight);
-    in_flight.clear();
-    for (std::size_t i = first; i != end; ++i) {
-      in_flight.emplace_back(scene, ends_of(asks[i]));
-      in_flight.back().fetch_starts();
-    }
-    for (Prefetcher& ask : in_flight) ask.fetch_entries();
-    for (Prefetcher& ask : in_flight) ask.fetch_cells();
-    for (Prefetcher& ask : in_flight) ask.fetch_half_spaces();
-    for (std::size_t i = first; i != end; ++i) decide(scene, asks[i], answers[i]);
-  }
 }
 
 }  // namespace groundtruth::fast

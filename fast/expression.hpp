@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <groundtruth/fast/large_vector.hpp>
 #include <groundtruth/problem/shape.hpp>
 
 namespace groundtruth::fast {
@@ -24,7 +25,7 @@ struct Node {
 // an operand of a union, no intersection of an intersection, unless it was alone in another operator.
 struct Expression {
   std::vector<Node> nodes;
-  std::vector<HalfSpace> leaves;  // as written, in the order in which they are written
+  LargeVector<HalfSpace> leaves;  // as written, in the order in which they are written
 };
 
 }  // namespace groundtruth::fast

@@ -59,7 +59,7 @@ Grid lay_out(const Box& scene, std::size_t parts) {
 
 }  // namespace
 
-Grid build_grid(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts) {
+Grid build_grid(std::span<const Box> boxes, const std::vector<std::uint32_t>& parts) {
   if (parts.size() < fewest_parts) return {};
   Box scene = nowhere;
   for (const std::uint32_t part : parts) scene = hull(scene, boxes[part]);

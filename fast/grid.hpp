@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <groundtruth/fast/box.hpp>
@@ -88,6 +89,6 @@ struct Grid {
 };
 
 // Over boxes[part] of the parts named, which must be bounded. Without rows if squares would not help.
-Grid build_grid(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts);
+Grid build_grid(std::span<const Box> boxes, const std::vector<std::uint32_t>& parts);
 
 }  // namespace groundtruth::fast

@@ -14,6 +14,8 @@ namespace groundtruth::fast {
 
 namespace {
 
+// Few scenes have more nodes than this lets expect.
+constexpr std::size_t usual_parts_per_node = 4;
 constexpr float greatest_float = std::numeric_limits<float>::max();
 
 using Corner = OneVector<FourFloats>;  // x, y, z, and nothing
@@ -151,7 +153,7 @@ class Cutter {
 
 class HierarchyBuilder {
  public:
-  explicit HierarchyBuilder(std::vector<BoxNode>& nodes) : nodes_(nodes) {}
+  explicit HierarchyBuilder(LargeVector<BoxNode>& nodes) : nodes_(nodes) {}
 
   std::uint32_t build(const Piece& all, std::uint32_t depth) {
     const Pieces pieces = cut(all, depth);
@@ -227,7 +229,7 @@ class HierarchyBuilder {
     return node;
   }
 
-  std::vector<BoxNode>& nodes_;
+  LargeVector<BoxNode>& nodes_;
 };
 
 FloatBox rounded_outwards(const Box& box) {
@@ -250,14 +252,14 @@ float rounded_down(double x) {
 
 float rounded_up(double x) { return -rounded_down(-x); }
 
-BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts) {
+BoxHierarchy build_hierarchy(std::span<const Box> boxes, const std::vector<std::uint32_t>& parts) {
   BoxHierarchy hierarchy;
   if (parts.empty()) return hierarchy;
-  std::vector<BoxedPart> boxed;
+  LargeVector<BoxedPart> boxed;
   boxed.reserve(parts.size());
   for (const std::uint32_t part : parts) boxed.push_back({rounded_outwards(boxes[part]), part});
+  hierarchy.nodes.reserve(parts.size() / usual_parts_per_node + 1);
   HierarchyBuilder(hierarchy.nodes).build({boxed, box_of(boxed)}, 0);
-  hierarchy.nodes.shrink_to_fit();
   return hierarchy;
 }
 

@@ -2,9 +2,11 @@
 // A hierarchy of boxes, eight abreast, over the parts of a solid.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <groundtruth/fast/box.hpp>
+#include <groundtruth/fast/large_vector.hpp>
 
 namespace groundtruth::fast {
 
@@ -24,11 +26,11 @@ struct alignas(64) BoxNode {
 };
 
 struct BoxHierarchy {
-  std::vector<BoxNode> nodes;  // the first is the root; none: no parts
+  LargeVector<BoxNode> nodes;  // the first is the root; none: no parts
 };
 
 // Over boxes[part] of the parts named, which must not be empty boxes. Cut by the surface area heuristic.
-BoxHierarchy build_hierarchy(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& parts);
+BoxHierarchy build_hierarchy(std::span<const Box> boxes, const std::vector<std::uint32_t>& parts);
 
 float rounded_down(double x);
 float rounded_up(double x);

@@ -16,7 +16,7 @@ struct Shares {
   bool all_bounded = true;  // those that are indexed
 };
 
-Shares share_out(const std::vector<Box>& boxes, const CompileOptions& options) {
+Shares share_out(std::span<const Box> boxes, const CompileOptions& options) {
   Shares shares;
   const auto count = static_cast<std::uint32_t>(boxes.size());
   shares.indexed.reserve(count);
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> renumber(PartIndex& index, std::size_t part_count, st
 
 }  // namespace
 
-PartIndex index_parts(const std::vector<Box>& boxes, std::size_t cell_count, const CompileOptions& options) {
+PartIndex index_parts(std::span<const Box> boxes, std::size_t cell_count, const CompileOptions& options) {
   PartIndex index;
   const Shares shares = share_out(boxes, options);
   index.hierarchy = build_hierarchy(boxes, shares.indexed);

@@ -2,6 +2,7 @@
 // The order of parts in memory, and the index that finds them. Not installed.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <groundtruth/fast/box.hpp>
@@ -21,6 +22,6 @@ struct PartIndex {
 // Over parts with these boxes, of which the first `cell_count` are cells: these get the order in which the
 // hierarchy comes to them, so that neighbours in space are neighbours in memory. The others keep their
 // numbers.
-PartIndex index_parts(const std::vector<Box>& boxes, std::size_t cell_count, const CompileOptions& options);
+PartIndex index_parts(std::span<const Box> boxes, std::size_t cell_count, const CompileOptions& options);
 
 }  // namespace groundtruth::fast

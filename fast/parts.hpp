@@ -7,6 +7,7 @@
 
 #include <groundtruth/fast/grid.hpp>
 #include <groundtruth/fast/hierarchy.hpp>
+#include <groundtruth/fast/large_vector.hpp>
 #include <groundtruth/problem/shape.hpp>
 
 namespace groundtruth::fast {
@@ -46,12 +47,12 @@ struct Cell {
 };
 
 struct PackedCells {
-  std::vector<HalfSpaces4> groups;
+  LargeVector<HalfSpaces4> groups;
   std::vector<std::uint32_t> leaves;
-  std::vector<Cell> cells;
+  LargeVector<Cell> cells;
 
-  // Appends a cell of these half-spaces, by their numbers.
-  void add(std::span<const std::uint32_t> numbers, const std::vector<HalfSpace>& half_spaces);
+  // Appends a cell of these half-spaces, with their numbers.
+  void add(std::span<const std::uint32_t> numbers, std::span<const HalfSpace> half_spaces);
 
   // Of the half-space at this place in the cell.
   std::uint32_t leaf_at(const Cell& cell, std::uint32_t place) const {

@@ -1,5 +1,5 @@
 #pragma once
-// The two ends of an ask's range as points in doubles, with what rounding did to them. Not installed.
+// The two ends of an ask's range as points in doubles, with what rounding did to them.
 
 #include <algorithm>
 #include <cmath>

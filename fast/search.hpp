@@ -25,6 +25,13 @@ inline Face sole_face(const Scene& scene, const Probe& probe, const SearchResult
   if (!scene.parts().is_cell(sole.part)) return sole_face_of_general(scene, probe, sole);
   return sole_face(cells, cells.cells[sole.part], sole.meeting);
 }
+// The same where all parts are these cells.
+inline Face sole_face(const PackedCells& cells, const SearchResult& result) {
+  if (result.contenders.size() != 1) return {};
+  const Contender& sole = result.contenders.front();
+  if (!sole.meeting.certainly_hits()) return {};
+  return sole_face(cells, cells.cells[sole.part], sole.meeting);
+}
 
 // What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
 // one.
@@ -49,28 +56,5 @@ inline void search(const Scene& scene, const Probe& probe, SearchResult& result)
     search_hierarchy(parts, task);
   if (result.contenders.size() > 1) result.drop_late_ones();
 }
-
-// Asks the memory that search() will look at for an ask to come closer, as far as it is known without waiting
-// for it: each step needs that the ones before it have had time. A range that the grid does not serve has no
-// steps.
-class Prefetcher {
- public:
-  Prefetcher(const Scene& scene, const RangeEnds& ends);
-
-  void fetch_starts() const;
-  void fetch_entries() const;
-  void fetch_cells();
-  void fetch_half_spaces() const;
-
- private:
-  static constexpr std::size_t most_parts = 4;
-
-  const Scene& scene_;
-  std::uint64_t here_ = 0;  // the range in it
-  std::size_t square_ = 0;  // the first that the range is over
-  bool has_square_ = false;
-  std::uint32_t parts_[most_parts] = {};
-  std::size_t part_count_ = 0;
-};
 
 }  // namespace groundtruth::fast

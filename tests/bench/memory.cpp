@@ -7,23 +7,30 @@ namespace groundtruth::bench {
 namespace {
 
 template <class Element>
-std::size_t bytes_of(const std::vector<Element>& vector) {
+std::size_t bytes_held_by(const std::vector<Element>& vector) {
   return vector.capacity() * sizeof(Element);
 }
 
+template <class Element>
+std::size_t bytes_held_by(const fast::LargeVector<Element>& vector) {
+  const std::size_t bytes = vector.capacity() * sizeof(Element), page = fast::large_page;
+  return bytes < 2 * page ? bytes : (bytes + page - 1) / page * page;
+}
+
 std::size_t bytes_of(const fast::Expression& expression) {
-  return bytes_of(expression.nodes) + bytes_of(expression.leaves);
+  return bytes_held_by(expression.nodes) + bytes_held_by(expression.leaves);
 }
 
 }  // namespace
 
 std::size_t bytes_of(const fast::Scene& scene) {
   const fast::Parts& parts = scene.parts();
-  std::size_t bytes = bytes_of(scene.solid()) + bytes_of(scene.rules()) + bytes_of(scene.rule_runs()) +
-                      bytes_of(scene.region_boxes()) + bytes_of(parts.cells.groups) +
-                      bytes_of(parts.cells.leaves) + bytes_of(parts.cells.cells) + bytes_of(parts.general) +
-                      bytes_of(parts.apart) + bytes_of(parts.hierarchy.nodes) + bytes_of(parts.grid.starts) +
-                      bytes_of(parts.grid.entries) + bytes_of(scene.regions());
+  std::size_t bytes =
+      bytes_of(scene.solid()) + bytes_held_by(scene.rules()) + bytes_held_by(scene.rule_runs()) +
+      bytes_held_by(scene.region_boxes()) + bytes_held_by(parts.cells.groups) +
+      bytes_held_by(parts.cells.leaves) + bytes_held_by(parts.cells.cells) + bytes_held_by(parts.general) +
+      bytes_held_by(parts.apart) + bytes_held_by(parts.hierarchy.nodes) + bytes_held_by(parts.grid.starts) +
+      bytes_held_by(parts.grid.entries) + bytes_held_by(scene.regions());
   for (const fast::Expression& region : scene.regions()) bytes += bytes_of(region);
   return bytes;
 }

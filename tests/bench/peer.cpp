@@ -6,6 +6,7 @@
 #include <groundtruth/as_written/entry_point.hpp>
 #include <groundtruth/exact/entry_point.hpp>
 #include <groundtruth/fast/entry_point.hpp>
+#include <groundtruth/fast/follower.hpp>
 #include <groundtruth/tests/bench/polytope.hpp>
 
 namespace groundtruth::bench {
@@ -53,6 +54,16 @@ Clip clip_in_one_pass(const Cell& cell, const EntryAsk& ask) {
 
 Peer fast_one_by_one(std::shared_ptr<const fast::Scene> scene) {
   return {"fast", counting([=](const EntryAsk& ask) { return is_hit(fast::entry_point(*scene, ask)); })};
+}
+
+Peer fast_warm(std::shared_ptr<const fast::Scene> scene) {
+  return {"fast warm", [=](std::span<const EntryAsk> asks) {
+            std::vector<fast::Follower> wheels(3, fast::Follower(*scene));
+            std::size_t hits = 0;
+            for (std::size_t i = 0; i < asks.size(); ++i)
+              hits += is_hit(wheels[i % wheels.size()].entry_point(asks[i]));
+            return hits;
+          }};
 }
 
 Peer fast_in_bulk(std::shared_ptr<const fast::Scene> scene) {

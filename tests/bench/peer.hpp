@@ -27,6 +27,8 @@ struct Peer {
 
 // Each builds what it needs of the scene when called.
 Peer fast_one_by_one(std::shared_ptr<const fast::Scene> scene);
+// A follower for each of three wheels, as the taxi asks come in turn.
+Peer fast_warm(std::shared_ptr<const fast::Scene> scene);
 Peer fast_in_bulk(std::shared_ptr<const fast::Scene> scene);
 // fast's cells and index with the same loops, in plain doubles: no bound, no rounded lambda, no material.
 // The scene must be a union of cells.

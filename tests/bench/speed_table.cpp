@@ -62,9 +62,10 @@ void run(const TimedScene& timed) {
   const Scene scene = timed.build();
   const double reach = 3 * (timed.extent.width + timed.extent.depth);
   const auto compiled = std::make_shared<const fast::Scene>(fast::compile(scene));
-  std::vector<Peer> peers{embree(scene, reach), fast_one_by_one(compiled),    without_certainty(compiled),
-                          one_pass_clip(scene), embree_packets(scene, reach), fast_in_bulk(compiled),
-                          bullet(scene, reach), naive_doubles(scene),         exact_engine(scene)};
+  std::vector<Peer> peers{embree(scene, reach),   fast_one_by_one(compiled),    without_certainty(compiled),
+                          one_pass_clip(scene),   embree_packets(scene, reach), fast_warm(compiled),
+                          fast_in_bulk(compiled), bullet(scene, reach),         naive_doubles(scene),
+                          exact_engine(scene)};
   std::erase_if(peers, [](const Peer& peer) { return !peer.answer; });
   for (const AskKind& kind : ask_kinds())
     print_table(timed.name + ", " + kind.name, peers, kind.make(timed.extent, asks_per_round));

@@ -65,6 +65,16 @@ TEST(BoxHierarchies, HoldEveryPartOnceInBoxesAroundIt) {
   for (const int times : visit(boxes).times) EXPECT_EQ(times, 1);
 }
 
+TEST(BoxHierarchies, HaveFullNodes) {
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> parts;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    parts.push_back(i);
+    boxes.push_back(cube({3.0 * (i % 64), 3.0 * (i / 64), 0}, 1));
+  }
+  EXPECT_LT(build_hierarchy(boxes, parts).nodes.size(), 4096u / 4);
+}
+
 TEST(BoxHierarchies, ShareOutBoxesOfOnePlace) {
   const Visited visited = visit(std::vector<Box>(1000, cube({1, 2, 3}, 1)));
   for (const int times : visited.times) EXPECT_EQ(times, 1);

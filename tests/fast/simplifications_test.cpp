@@ -71,6 +71,14 @@ TEST(FastLeftOut, CountsDuplicatesEmptyAndBuriedParts) {
   EXPECT_EQ(left_out(unite({house, ground, box({0, 0, -2}, {1, 1, 0})}), Simplification::buried_parts), 0u);
 }
 
+TEST(FastLeftOut, CountsDuplicatesWhateverStoodBetweenTheirHalfSpacesAndWithEitherZero) {
+  const Shape interrupted =
+      intersect({half_space({1, 0, 0}, 1), half_space({0, 0, 0}, 1), half_space({0, 1, 0}, 2)});
+  const Shape whole = intersect({half_space({1, -0.0, 0}, 1), half_space({0, 1, -0.0}, 2)});
+  const Shape other = intersect({half_space({1, 0, 0}, 1), half_space({0, 1, 0}, 3)});
+  EXPECT_EQ(left_out(unite({interrupted, other, whole, interrupted}), Simplification::duplicates), 2u);
+}
+
 TEST(FastLeftOut, CountsRedundantHalfSpacesOnlyIfTheCellStaysAwayFromThem) {
   const auto cut = [](double offset) {
     return intersect({box({0, 0, 0}, {1, 1, 1}), half_space({1, 1, 0}, offset)});
@@ -121,18 +129,6 @@ TEST(FastLeftOut, NamesTheIndex) {
   EXPECT_FALSE(chosen(cases::house(), Simplification::hierarchy));
   EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::hierarchy));
   EXPECT_TRUE(chosen(cases::town_of(100, 1), Simplification::grid));
-}
-
-TEST(FastBulk, GivesTheAnswersOfOneByOne) {
-  for (const Scene& scene :
-       {cases::house(), cases::town_of(60, 1), cases::hills_of(6), cases::runway_of(50)}) {
-    const fast::Scene compiled = fast::compile(scene);
-    const auto asks = asks_about(scene, 5, 1003);
-    std::vector<EntryAnswer> answers(asks.size());
-    fast::entry_points(compiled, asks, answers);
-    for (std::size_t i = 0; i < asks.size(); ++i)
-      ASSERT_EQ(answers[i], fast::entry_point(compiled, asks[i])) << i;
-  }
 }
 
 }  // namespace
