@@ -31,7 +31,7 @@ int run(const std::string& scene_name, const std::string& kind_name, const std::
   if (timed == nullptr || kind == nullptr) return 2;
   const Scene scene = timed->build();
   const auto compiled = std::make_shared<const fast::Scene>(fast::compile(scene));
-  const std::vector<Peer> peers{fast_one_by_one(compiled), fast_in_bulk(compiled),
+  const std::vector<Peer> peers{fast_one_by_one(compiled),   fast_warm(compiled),  fast_in_bulk(compiled),
                                 without_certainty(compiled), one_pass_clip(scene), naive_doubles(scene)};
   const Peer* const peer = find(peers, peer_name);
   if (peer == nullptr || !peer->answer) return 2;

@@ -9,7 +9,7 @@ import tempfile
 
 SCENES = ["house", "runway", "town-1k", "hills-20k"]
 ASKS = ["strut", "taxi", "long"]
-PEERS = ["fast", "without certainty", "one-pass clip"]
+PEERS = ["fast", "fast warm", "without certainty", "one-pass clip"]
 
 
 def counted(program, *arguments):
