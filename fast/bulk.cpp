@@ -9,6 +9,7 @@
 
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/entry_point.hpp>
+#include <groundtruth/fast/fetch_ahead.hpp>
 #include <groundtruth/fast/nearby_order.hpp>
 
 namespace groundtruth::fast {
@@ -21,12 +22,6 @@ constexpr std::size_t fewest_asks_per_thread = 2048;
 constexpr std::size_t most_asks_per_block = 65536;
 constexpr std::size_t blocks_per_thread = 4;  // so that none is waited for long
 
-void fetch(const void* first, std::size_t size) {
-  const char* const bytes = static_cast<const char*>(first);
-  __builtin_prefetch(bytes);
-  __builtin_prefetch(bytes + size - 1);
-}
-
 void answer_block(const Scene& scene, NearbyOrder& nearby, std::span<const EntryAsk> asks,
                   std::span<EntryAnswer> answers) {
   const auto order = nearby.of(asks);
@@ -34,11 +29,9 @@ void answer_block(const Scene& scene, NearbyOrder& nearby, std::span<const Entry
     for (std::size_t i = 0; i != asks.size(); ++i) decide_entry(scene, asks[i], answers[i]);
     return;
   }
-  constexpr std::size_t ahead = 8;
+  FetchAhead ahead(scene, asks, answers, order);
   for (std::size_t i = 0; i != order.size(); ++i) {
-    const std::size_t later = order[std::min(i + ahead, order.size() - 1)];
-    fetch(&asks[later], sizeof(EntryAsk));
-    fetch(&answers[later], sizeof(EntryAnswer));
+    ahead.advance(i);
     decide_entry(scene, asks[order[i]], answers[order[i]]);
   }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <groundtruth/fast/clip.hpp>
 #include <groundtruth/fast/entry_point.hpp>
+#include <groundtruth/fast/follower.hpp>
 #include <groundtruth/fast/step.hpp>
 #include <groundtruth/tests/fast/shapes.hpp>
 
@@ -62,6 +63,15 @@ TEST(FastAsks, AllocateNothing) {
   EXPECT_EQ(allocations_of([&] { return fast::step(scene, step); }), 0u);
   step.state = Contact{Grip::slip, {4, 0.5, 0}, {}, {0, 0, 1}, 0.5, 0.25, std::nullopt};
   EXPECT_EQ(allocations_of([&] { return fast::step(scene, step); }), 0u);
+}
+
+TEST(FastAsks, AllocateNothingWhereAFollowerKnowsTheSurroundings) {
+  const fast::Scene scene = runway();
+  fast::Follower follower(scene);
+  const auto ask = [](int i) { return EntryAsk{{1 + 0.01 * i, 0.5, 1}, {1 + 0.01 * i, 0.5, -1}}; };
+  for (int i = 0; i < 3; ++i) follower.entry_point(ask(i));
+  for (int i = 3; i < 40; ++i)
+    EXPECT_EQ(allocations_of([&] { return follower.entry_point(ask(i)); }), 0u) << i;
 }
 
 TEST(FastAsks, AreSeenWhenTheyDoAllocate) {
