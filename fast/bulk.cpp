@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 
 #include <groundtruth/fast/decided_entry.hpp>
 #include <groundtruth/fast/entry_point.hpp>
@@ -22,17 +24,23 @@ constexpr std::size_t fewest_asks_per_thread = 2048;
 constexpr std::size_t most_asks_per_block = 65536;
 constexpr std::size_t blocks_per_thread = 4;  // so that none is waited for long
 
+// To assign to an answer is to ask first what it was, and to wait for the memory that says so.
+void answer_anew(const Scene& scene, const EntryAsk& ask, EntryAnswer& answer) {
+  static_assert(std::is_trivially_destructible_v<EntryAnswer>);
+  decide_entry(scene, ask, *std::construct_at(&answer));
+}
+
 void answer_block(const Scene& scene, NearbyOrder& nearby, std::span<const EntryAsk> asks,
                   std::span<EntryAnswer> answers) {
   const auto order = nearby.of(asks);
   if (order.empty()) {
-    for (std::size_t i = 0; i != asks.size(); ++i) decide_entry(scene, asks[i], answers[i]);
+    for (std::size_t i = 0; i != asks.size(); ++i) answer_anew(scene, asks[i], answers[i]);
     return;
   }
   FetchAhead ahead(scene, asks, answers, order);
   for (std::size_t i = 0; i != order.size(); ++i) {
     ahead.advance(i);
-    decide_entry(scene, asks[order[i]], answers[order[i]]);
+    answer_anew(scene, asks[order[i]], answers[order[i]]);
   }
 }
 

@@ -23,9 +23,9 @@ EntryAnswer entry_point(const Scene& scene, const EntryAsk& ask);
 
 // Many asks at a time. For `Threads::all()` the machine's processors share them.
 // 1. answers[i] is entry_point(scene, asks[i]), bit for bit, whatever the number of threads.
-// 2. In a large scene asks are answered in an order in which neighbours follow each other, unless they stand
-//    so, and memory is asked for ahead. It notes 8 bytes an ask for that, of 65,536 asks at a time and
-//    thread.
+// 2. In a very large scene (some 200,000 parts and more) asks are answered in an order in which neighbours
+//    follow each other, unless they stand so, and memory is asked for ahead. It notes 8 bytes an ask for
+//    that, of 65,536 asks at a time and thread. Else they are answered as they stand.
 // 3. Never more threads than asked for, and one for each 2,048 asks at most, so that a few stay with the
 //    caller; all have ended when this returns. None is kept, nothing is global.
 // Requires spans of one size that do not overlap.

@@ -16,8 +16,8 @@ class NearbyOrder {
   explicit NearbyOrder(const Scene& scene);
 
   // The places of the asks, squares along a Z-shaped curve by where the asks start. Empty: as they stand is
-  // as good, because the scene is small, they are few, or they follow each other anyway. Valid until the next
-  // call. Requires fewer than 2^32 asks.
+  // as good, because the scene is not very large, they are few, or they follow each other anyway. Valid until
+  // the next call. Requires fewer than 2^32 asks.
   std::span<const std::uint32_t> of(std::span<const EntryAsk> asks);
 
  private:

@@ -14,11 +14,11 @@
 namespace groundtruth::fast {
 namespace {
 
-constexpr int houses_along = 100;
+constexpr int houses_along = 500;
 constexpr double plot = 24;  // m, the side of the square that a house stands in
 
 const Scene& large_town() {
-  static const Scene town = compile(cases::town_of(houses_along * houses_along, 1));
+  static const Scene town = compile(cases::town_of(std::size_t{houses_along} * houses_along, 1));
   return town;
 }
 
@@ -85,7 +85,8 @@ TEST(NearbyOrders, NameEachOfSomeScatteredAsksOnce) {
 
 TEST(NearbyOrders, PutAsksOfOnePlaceTogether) {
   std::vector<EntryAsk> asks;
-  for (int i = 0; i < 6400; ++i) asks.push_back({{24.0 * (i * 37 % 100), 24.0 * (i * 91 % 100), 9}, {}});
+  for (int i = 0; i < 6400; ++i)
+    asks.push_back({{plot * (i * 137 % houses_along), plot * (i * 391 % houses_along), 9}, {}});
   const auto way = [&](auto place) {
     double sum = 0;
     for (std::size_t i = 1; i < asks.size(); ++i)
@@ -112,7 +113,8 @@ TEST(NearbyOrders, BearAsksFromAnywhere) {
   std::vector<EntryAsk> asks;
   for (int i = 0; i < 1000; ++i) {
     const double far = i % 2 == 0 ? 1e308 : -1e308;
-    asks.push_back({{i % 3 == 0 ? far : 24.0 * (i * 37 % 100), 24.0 * (i * 91 % 100), far}, {}});
+    asks.push_back(
+        {{i % 3 == 0 ? far : plot * (i * 37 % houses_along), plot * (i * 91 % houses_along), far}, {}});
   }
   EXPECT_EQ(NearbyOrder(large_town()).of(asks).size(), asks.size());
 }
