@@ -68,7 +68,7 @@ TEST(FastBulk, GivesTheAnswersOfOneByOneByAnyNumberOfThreads) {
 
 TEST(FastBulk, BearsAnyNumberOfAsks) {
   const std::vector<EntryAsk> asks = scattered_asks(4097);
-  for (const std::size_t count : {0U, 1U, 255U, 256U, 2048U, 4097U})
+  for (const std::ptrdiff_t count : {0, 1, 255, 256, 2048, 4097})
     expect_the_answers_of_one_by_one(large_town(), {asks.begin(), asks.begin() + count}, {2});
 }
 
@@ -90,7 +90,7 @@ TEST(NearbyOrders, PutAsksOfOnePlaceTogether) {
   const auto way = [&](auto place) {
     double sum = 0;
     for (std::size_t i = 1; i < asks.size(); ++i)
-      for (const std::size_t axis : {0, 1})
+      for (std::size_t axis = 0; axis < 2; ++axis)
         sum += std::abs(asks[place(i)].from[axis] - asks[place(i - 1)].from[axis]);
     return sum;
   };
