@@ -55,6 +55,32 @@ Variables (from toward_ : vector) (first last : Q).
 Hypothesis range : first <= last.
 Definition place (l : Q) : vector := plus from (scaled l toward_).
 
+(* The sieve, here and in exact/solid/sieve.cpp: one sign at both ends, one sign between them. *)
+Definition settled_by_ends (h : half_space) : truth :=
+  let a := local_shape.delta h (place first) in let b := local_shape.delta h (place last) in
+  if Qlt_le_dec a 0 then if Qlt_le_dec b 0 then Yes else Open
+  else if Qlt_le_dec 0 a then if Qlt_le_dec 0 b then No else Open else Open.
+
+Lemma delta_between h l : first <= l -> l <= last ->
+  let d x := local_shape.delta h (place x) in (d l <= d first \/ d l <= d last) /\ (d first <= d l \/ d last <= d l).
+Proof.
+  intros from_l to_l d. set (slope := dot (normal h) toward_).
+  assert (affine : forall x y, d y == d x + (y - x) * slope) by (intros; unfold d, slope, place, local_shape.delta, dot, plus, scaled; simpl; ring).
+  assert (one := affine first l). assert (two := affine l last).
+  destruct (Qlt_le_dec slope 0) as [falls | rises].
+  - assert ((l - first) * slope <= 0) by nra. assert ((last - l) * slope <= 0) by nra. split; [left | right]; lra.
+  - assert (0 <= (l - first) * slope) by nra. assert (0 <= (last - l) * slope) by nra. split; [right | left]; lra.
+Qed.
+
+Theorem sieved_is_alike s l : first <= l -> l <= last -> alike (here (place l)) s (pruned settled_by_ends s).
+Proof.
+  intros from_l to_l. apply pruned_is_alike. intros h. unfold settled_by_ends. destruct (delta_between h from_l to_l) as (above & below).
+  destruct (Qlt_le_dec (local_shape.delta h (place first)) 0).
+  - destruct (Qlt_le_dec (local_shape.delta h (place last)) 0); [intros _; apply strictly_inside; destruct above; lra | easy].
+  - destruct (Qlt_le_dec 0 (local_shape.delta h (place first))); [| easy]. destruct (Qlt_le_dec 0 (local_shape.delta h (place last))); [| easy].
+    intros _. unfold at_point. destruct (Qlt_le_dec 0 (local_shape.delta h (place l))); trivial. destruct below; lra.
+Qed.
+
 (* What is known of a leaf that the range leaves open (OpenLeaf): limits of where it is crossed, clip_interval.v's
    crossing_is_between_limits; or nothing. *)
 Inductive turn := Enters | Leaves | Undecided.
@@ -166,7 +192,7 @@ Proof.
 Qed.
 End Together.
 
-Print Assumptions pruned_is_alike.
+Print Assumptions sieved_is_alike.
 Print Assumptions cell_handed_on_is_alike.
 Print Assumptions given_is_alike.
 Print Assumptions given_has_the_entry.

@@ -33,6 +33,7 @@ CONSTANTS = [
     ("fast/box_probe.hpp", rf"pad = {HEX} \* \(std::abs", "box_slabs.v", "delta"),
     ("fast/surface_in_doubles.hpp", rf"margin = {HEX} \* sizes", "decisions.v", "margin_part"),
     ("fast/surface_in_doubles.hpp", rf"(?:depth_squared|down_|\(squared) > {HEX}", "decisions.v", "line_part"),
+    ("fast/surface_in_pairs.hpp", rf"return {HEX} \* \(ask.force_size", "clip_in_pairs.v", "per_clip"),
     ("fast/box.cpp", rf"tiny = {HEX}", "box.v", "floor"),
     ("fast/box.cpp", rf"greatest_slack = {HEX}", "box.v", "greatest_slack"),
 ]
@@ -110,6 +111,9 @@ EXPRESSIONS = [
     ("fast/support.hpp", "return has_brake ? force | forward : rightward | normal;"),
     ("fast/support.hpp", "return (has_brake ? forward : Support()) | rightward | normal;"),
     ("fast/support.hpp", "return has_friction ? force | normal : normal;"),
+    ("fast/surface_in_pairs.hpp", "clipping == Clipping::onto_corner ?"
+                                  " ask.friction * (1 + decided.corner_condition()) : ask.friction;"
+                                  " return 0x1p-84 * (ask.force_size * (1 + of_disc));"),
     ("fast/hierarchy.cpp", "const auto rounded = static_cast<float>(x);"
                            " return double{rounded} <= x ? rounded : std::nextafter(rounded, -greatest_float);"),
     ("fast/exact_stage/strut.cpp", "ends.coordinate_error = 0x1p-53 * ends.greatest_coordinate() + 0x1p-1000;"),

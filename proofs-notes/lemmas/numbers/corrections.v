@@ -24,21 +24,22 @@ Qed.
 
 Section Quotient.
 
-Variables ah al bh bl first : R.
-Hypotheses (a_some : ah <> 0) (b_some : bh <> 0) (a_tidy : Rabs al <= u * Rabs ah) (b_tidy : Rabs bl <= u * Rabs bh).
-Hypothesis no_underflow : tiny <= u * u * u * Rabs ah.
-Local Notation W := (u * Rabs ah).
-Local Notation Z := (u * u * Rabs ah).
+(* The dividend's parts may be less than S, as in a sum of which they are left; b is tidy. *)
+Variables ah al bh bl first S : R.
+Hypotheses (S_some : 0 < S) (a_size : Rabs ah <= S) (b_some : bh <> 0) (b_tidy : Rabs bl <= u * Rabs bh).
+Hypothesis no_underflow : tiny <= u * u * u * S.
+Local Notation W := (u * S).
+Local Notation Z := (u * u * S).
 Hypothesis first_near : Rabs (first * bh - ah) <= 10 * W.
 Let p := fl (first * bh).
 Let y := fl (first * bl).
 
-Lemma first_products : Rabs (first * bh) <= (1 + / 1000) * Rabs ah /\ Rabs (p - first * bh) <= (1 + / 500) * W
+Lemma first_products : Rabs (first * bh) <= (1 + / 1000) * S /\ Rabs (p - first * bh) <= (1 + / 500) * W
   /\ Rabs (first * bl) <= (1 + / 1000) * W /\ Rabs (y - first * bl) <= (1 + / 100) * Z.
 Proof.
-  destruct (orders (Rabs ah)) as (W_pos & Z_pos & ZW & W_H & Z_W & cube); [now apply Rabs_pos_lt |]. pose proof tiny_positive.
+  destruct (orders S S_some) as (W_pos & Z_pos & ZW & W_H & Z_W & cube). pose proof tiny_positive.
   assert (0 < u) by (unfold u; lra).
-  assert (Rabs (first * bh) <= (1 + / 1000) * Rabs ah) as size.
+  assert (Rabs (first * bh) <= (1 + / 1000) * S) as size.
   { replace (first * bh) with (ah + (first * bh - ah)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
   pose proof (fl_error (first * bh)) as p_near. fold p in p_near. pose proof (scaled _ _ u ltac:(lra) size) as p_size.
   assert (Rabs (first * bl) <= (1 + / 1000) * W) as low.
@@ -48,35 +49,43 @@ Proof.
   repeat split; trivial; lra.
 Qed.
 
+Lemma divisor_some : bh + bl <> 0.
+Proof.
+  intros zero. pose proof (Rabs_pos_lt _ b_some). assert (Rabs bl = Rabs bh) as e by (replace bl with (- bh) by lra; apply Rabs_Ropp).
+  rewrite e in b_tidy. unfold u in *; lra.
+Qed.
+
 (* What the first quotient leaves of the dividend. *)
 Let g := ah + al - first * (bh + bl).
 
 Lemma corrected_quotient : forall c G K, 0 <= K <= 1000 -> 0 <= G <= 100 -> Rabs g <= G * W -> Rabs (c * bh - g) <= K * Z ->
-  Rabs (first + c - (ah + al) / (bh + bl)) <= (K + G + / 10) * (1 + / 500) * (u * u) * Rabs ((ah + al) / (bh + bl)).
+  Rabs (first + c - (ah + al) / (bh + bl)) * Rabs (bh + bl) <= (K + G + / 10) * Z.
 Proof.
-  intros c G K HK HG g_size c_near.
-  destruct (orders (Rabs ah)) as (W_pos & Z_pos & ZW & W_H & Z_W & cube); [now apply Rabs_pos_lt |].
-  assert (0 < u) by (unfold u; lra). assert (0 < Rabs bh) by now apply Rabs_pos_lt.
+  intros c G K HK HG g_size c_near. destruct (orders S S_some) as (W_pos & Z_pos & ZW & W_H & Z_W & cube).
+  assert (0 < u) by (unfold u; lra). pose proof divisor_some as some.
   assert (Rabs (c * bl) <= (G + / 10) * Z) as low.
   { rewrite Rabs_mult. apply Rle_trans with (Rabs c * (u * Rabs bh)); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption] |].
     replace (Rabs c * (u * Rabs bh)) with (u * Rabs (c * bh)) by (rewrite Rabs_mult; ring). rewrite ZW.
     replace ((G + / 10) * (u * W)) with (u * ((G + / 10) * W)) by ring. apply Rmult_le_compat_l; [lra |].
     replace (c * bh) with ((c * bh - g) + g) by ring. apply Rle_trans with (1 := Rabs_triang _ _).
     assert (K * Z <= 1000 * (/ 1000000 * W)) by (apply Rmult_le_compat; lra). lra. }
-  assert (bh + bl <> 0) as some.
-  { intros zero. assert (bh = - bl) as e by lra. rewrite e, Rabs_Ropp in *. pose proof (Rabs_pos bl). unfold u in *; nra. }
-  assert (0 < Rabs (bh + bl)) by now apply Rabs_pos_lt.
-  assert (Rabs ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) <= (K + G + / 10) * Z) as total.
-  { replace ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) with ((c * bh - g) + c * bl) by (unfold g; field; assumption).
-    apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-  rewrite Rabs_mult in total. apply Rmult_le_reg_r with (Rabs (bh + bl)); [assumption |]. apply Rle_trans with (1 := total).
-  rewrite (Rmult_assoc _ (Rabs ((ah + al) / _))), <- Rabs_mult. replace ((ah + al) / (bh + bl) * (bh + bl)) with (ah + al) by (field; assumption).
-  assert (Rabs ah <= Rabs (ah + al) + Rabs al) by (replace ah with (ah + al - al) at 1 by ring; apply difference_size).
-  rewrite !Rmult_assoc. apply Rmult_le_compat_l; [lra |].
-  replace ((1 + / 500) * (u * (u * Rabs (ah + al)))) with (u * (u * ((1 + / 500) * Rabs (ah + al)))) by ring.
-  apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat_l; [lra |]. lra.
+  rewrite <- Rabs_mult. replace ((first + c - (ah + al) / (bh + bl)) * (bh + bl)) with ((c * bh - g) + c * bl) by (unfold g; field; assumption).
+  apply Rle_trans with (1 := Rabs_triang _ _). lra.
 Qed.
 End Quotient.
+
+(* Of a tidy dividend, S = |a_h|, that is a part of the quotient. *)
+Lemma part_of_quotient : forall ah al b error K, ah <> 0 -> Rabs al <= u * Rabs ah -> b <> 0 -> 0 <= K ->
+  Rabs error * Rabs b <= K * (u * u * Rabs ah) -> Rabs error <= K * (1 + / 500) * (u * u) * Rabs ((ah + al) / b).
+Proof.
+  intros ah al b error K some tidy b_some HK near. assert (0 < Rabs b) by now apply Rabs_pos_lt. assert (0 < Rabs ah) by now apply Rabs_pos_lt.
+  apply Rmult_le_reg_r with (Rabs b); [assumption |]. apply Rle_trans with (1 := near).
+  rewrite (Rmult_assoc _ (Rabs ((ah + al) / _))), <- Rabs_mult. replace ((ah + al) / b * b) with (ah + al) by (field; assumption).
+  assert (Rabs ah <= Rabs (ah + al) + Rabs al) by (replace ah with (ah + al - al) at 1 by ring; apply difference_size).
+  rewrite !Rmult_assoc. apply Rmult_le_compat_l; [assumption |].
+  replace ((1 + / 500) * (u * (u * Rabs (ah + al)))) with (u * (u * ((1 + / 500) * Rabs (ah + al)))) by ring.
+  apply Rmult_le_compat_l; [unfold u; lra |]. apply Rmult_le_compat_l; [unfold u; lra |]. unfold u in *; lra.
+Qed.
 
 Section Root.
 

@@ -54,7 +54,7 @@ Proof.
     apply Rle_trans with ((u * Rabs (ah / bh) + tiny) * Rabs bh); [apply Rmult_le_compat_r; lra |].
     assert (Rabs (ah / bh) * Rabs bh = H) as whole by (rewrite <- Rabs_mult; unfold H; f_equal; field; assumption).
     replace ((u * Rabs (ah / bh) + tiny) * Rabs bh) with (u * (Rabs (ah / bh) * Rabs bh) + tiny * Rabs bh) by ring. rewrite whole. fold W. lra. }
-  destruct (first_products ah bh bl first) as (fb_size & p_near & y_size & y_off); trivial; [fold H W; lra |].
+  destruct (first_products ah bh bl first H) as (fb_size & p_near & y_size & y_off); trivial; [unfold H; lra | fold W; lra |].
   fold H p W Z in fb_size, p_near, y_size, y_off. set (y := fl (first * bl)) in *.
   assert (Rabs (first * bh - p) <= (1 + / 500) * W) as e_size by now rewrite Rabs_minus_sym.
   assert (Rabs lost <= (1 + / 400) * W) as lost_size.
@@ -127,8 +127,9 @@ Proof.
     pose proof (scaled _ _ u ltac:(lra) h_size). rewrite ZW in *; lra. }
   assert (Rabs (c * bh - g) <= 12 * Z) as total.
   { replace (c * bh - g) with ((c * bh - high) + (high - g)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
-  apply Rle_trans with (1 := corrected_quotient ah al bh bl first a_some b_some a_tidy b_tidy ltac:(fold H W; lra) c (3 + / 40) 12
-    ltac:(lra) ltac:(lra) g_size total).
+  pose proof (corrected_quotient ah al bh bl first H ltac:(assumption) b_some b_tidy c (3 + / 40) 12
+    ltac:(lra) ltac:(lra) g_size total) as near.
+  apply Rle_trans with (1 := part_of_quotient ah al _ _ (12 + (3 + / 40) + / 10) a_some a_tidy (divisor_some bh bl b_some b_tidy) ltac:(lra) near).
   apply Rmult_le_compat_r; [apply Rabs_pos |]. unfold pair_unit, u; simpl; lra.
 Qed.
 End Quotient.
