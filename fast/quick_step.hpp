@@ -10,6 +10,8 @@ namespace groundtruth::fast {
 template <class Pair>
 class QuickStep {
  public:
+  using Pairs = Pairs3<Pair>;
+
   QuickStep(const Scene& scene, const StepAsk& ask)
       : scene_(scene), ask_(ask), axes_(ask.frame.world_from_wheel) {}
 
@@ -56,7 +58,7 @@ class QuickStep {
   }
 
   bool give_under(const Contact& contact, const QuickLoad<Pair>& load, StepAnswer& answer) const {
-    const Vector3<Pair> force = load.force();
+    const Pairs force = load.force();
     const ForceAsk force_ask{contact.normal_in_world,
                              cross_in_doubles(contact.normal_in_world, axes_.rightward_in_doubles()),
                              highs_of(force),
@@ -82,8 +84,10 @@ class QuickStep {
     if (!clipping) return false;
     if (*clipping == Clipping::none)
       return give_stick(contact, {force, 0x1p-90 * force_ask.force_size}, support, answer);
-    const auto forward = [&] { return cross<Pair>(contact.normal_in_world, axes_.rightward()); };
-    const SurfaceInPairs<Pair, Pair, decltype(forward)> in_pairs(force_ask, forward, force);
+    const auto forward = [&] {
+      return cross<Pair>(Doubles3<Pair>(contact.normal_in_world), axes_.rightward());
+    };
+    const SurfaceInPairs<Pair, Pairs, decltype(forward)> in_pairs(force_ask, forward, force);
     return give_slip(contact, load,
                      {in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping), *clipping},
                      support, answer);
@@ -91,7 +95,7 @@ class QuickStep {
 
   // Of the springs on the pebble, after a clip.
   struct Borne {
-    Vector3<Pair> force;
+    Pairs force;
     double error;
     Clipping clipping = Clipping::none;
   };
@@ -164,10 +168,8 @@ class QuickStep {
 
   template <class GivesSupport>
   static bool write_opposite(const Borne& borne, const GivesSupport& support, Vector& opposite) {
-    const auto& force = borne.force;
     return round_to_nearest(
-        Vector3<Pair>{-force[0], -force[1], -force[2]}, borne.error,
-        [&] { return support().surface.clipped(borne.clipping); }, opposite);
+        -borne.force, borne.error, [&] { return support().surface.clipped(borne.clipping); }, opposite);
   }
 
   const Scene& scene_;

@@ -42,9 +42,9 @@ DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels)
 }
 
 StepAnswer step(const Scene& scene, const StepAsk& ask) {
-  StepAnswer quick;
-  if (give_quickly(scene, ask, best_kernels(), quick)) return quick;
-  return step_in_counted_pairs(scene, ask).answer;
+  StepAnswer answer;
+  if (!give_quickly(scene, ask, best_kernels(), answer)) answer = step_in_counted_pairs(scene, ask).answer;
+  return answer;
 }
 
 }  // namespace groundtruth::fast

@@ -13,8 +13,8 @@ std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
   if (result.contenders.empty()) return NoContact{};
   const Face face = sole_face(scene, probe, result);
   if (face.leaf == no_leaf || !(result.lower() > 0 && result.upper < 1)) return std::nullopt;
-  const HitPlace place{result.lower(), result.upper, face, nullptr};
-  const auto material = material_by_doubles(scene, probe, place);
+  auto material = sure_material(face);
+  if (!material) material = material_by_doubles(scene, probe, {result.lower(), result.upper, face, nullptr});
   if (!material) return std::nullopt;
   return FaceFound{face.leaf, face.half_space, *material};
 }
