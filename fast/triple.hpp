@@ -27,7 +27,7 @@ struct HalfRegisters {
     V2d first, second;
   };
 
-  static void set(double x, double y, double z, Lanes& to) { to = {V2d{x, y}, V2d{z, 0}}; }
+  static void set(double x, double y, double z, Lanes& to) { to = {V2d{x, y}, V2d{z, z}}; }
   static void spread(double x, Lanes& to) { to = {V2d{x, x}, V2d{x, x}}; }
   static void copy(const Lanes& a, Lanes& to) { to = a; }
   static double get(const Lanes& a, std::size_t axis) { return axis < 2 ? a.first[axis] : a.second[0]; }
@@ -64,7 +64,7 @@ struct WholeRegister {
   using Lanes = double __attribute__((vector_size(32)));
   using Mask = std::int64_t __attribute__((vector_size(32)));
 
-  GROUNDTRUTH_ABREAST static void set(double x, double y, double z, Lanes& to) { to = Lanes{x, y, z, 0}; }
+  GROUNDTRUTH_ABREAST static void set(double x, double y, double z, Lanes& to) { to = Lanes{x, y, z, z}; }
   GROUNDTRUTH_ABREAST static void spread(double x, Lanes& to) { to = Lanes{x, x, x, x}; }
   GROUNDTRUTH_ABREAST static void copy(const Lanes& a, Lanes& to) { to = a; }
   GROUNDTRUTH_ABREAST static double get(const Lanes& a, std::size_t axis) { return a[axis]; }
