@@ -99,8 +99,10 @@ Box box_around_hit(const Probe& probe, const HitPlace& place) {
 // Without branches: which side a hit is of is hard to foretell.
 bool are_apart(const Box& a, const Box& b) {
   bool apart = false;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    apart |= (a.high[axis] < b.low[axis]) | (a.low[axis] > b.high[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    apart |= a.high[axis] < b.low[axis];
+    apart |= a.low[axis] > b.high[axis];
+  }
   return apart;
 }
 
