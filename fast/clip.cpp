@@ -75,8 +75,10 @@ bool give_quickly(const ClipAsk& ask, ClipAnswer& answer) {
     return true;
   }
   clipped.grip = Grip::slip;
-  const auto axis = [&]() -> const Vector& { return forward; };
-  const SurfaceInPairs<Pair, double, decltype(axis)> in_pairs(force_ask, axis, force);
+  using Doubles = Doubles3<Pair>;
+  const auto axis = [&] { return Doubles(forward); };
+  const Doubles force_abreast(force);
+  const SurfaceInPairs<Pair, Doubles, decltype(axis)> in_pairs(force_ask, axis, force_abreast);
   return round_to_nearest(
       in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping),
       [&] { return support().clipped(*clipping); }, clipped.force_in_wheel);
@@ -120,9 +122,9 @@ DecidedClip decide_clip(const ClipAsk& ask, Kernels kernels) {
 }
 
 ClipAnswer clip(const ClipAsk& ask) {
-  ClipAnswer quick;
-  if (give_quickly(ask, best_kernels(), quick)) return quick;
-  return clip_in_counted_pairs(ask).answer;
+  ClipAnswer answer;
+  if (!give_quickly(ask, best_kernels(), answer)) answer = clip_in_counted_pairs(ask).answer;
+  return answer;
 }
 
 }  // namespace groundtruth::fast

@@ -4,7 +4,6 @@
 // Each sum of products is off by at most 3 * 2^-102 of the sum of their magnitudes (lemmas pair-operations
 // and loose-pairs, proofs-notes/rounding-of-forces.md, section 2).
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,20 +12,23 @@
 
 namespace groundtruth::fast {
 
-template <class Real>
-using Vector3 = std::array<Real, 3>;
-
-// To be summed on. A double has no low part.
+// A vector whose components are doubles, or pairs.
 template <class Pair>
-Pair product_of(double a, double b) {
+using Doubles3 = typename Pair::Abreast::Number;
+template <class Pair>
+using Pairs3 = typename Pair::Abreast;
+
+// To be summed on. A double has no low part. Pair: a pair, or three.
+template <class Pair>
+Pair product_of(const typename Pair::Number& a, const typename Pair::Number& b) {
   return Pair::product(a, b);
 }
 template <class Pair>
-Pair product_of(double a, const Pair& b) {
+Pair product_of(const typename Pair::Number& a, const Pair& b) {
   return Pair::loose_product(a, b);
 }
 template <class Pair>
-Pair product_of(const Pair& a, double b) {
+Pair product_of(const Pair& a, const typename Pair::Number& b) {
   return Pair::loose_product(b, a);
 }
 template <class Pair>
@@ -34,10 +36,16 @@ Pair product_of(const Pair& a, const Pair& b) {
   return Pair::loose_product(a, b);
 }
 
+template <class Pair>
+Pair component(const Pairs3<Pair>& v, std::size_t axis) {
+  return {v.high[axis], v.low[axis]};
+}
+
 template <class Pair, class A, class B>
-Pair dot(const Vector3<A>& a, const Vector3<B>& b) {
-  const Pair first_two = Pair::loose_sum(product_of<Pair>(a[0], b[0]), product_of<Pair>(a[1], b[1]));
-  return Pair::loose_sum(first_two, product_of<Pair>(a[2], b[2])).tidy();
+Pair dot(const A& a, const B& b) {
+  const auto products = product_of<Pairs3<Pair>>(a, b);
+  const Pair first_two = Pair::loose_sum(component<Pair>(products, 0), component<Pair>(products, 1));
+  return Pair::loose_sum(first_two, component<Pair>(products, 2)).tidy();
 }
 
 // a b - c d, loose: to be summed, multiplied or divided on, and made tidy then.
@@ -46,20 +54,29 @@ template <class Pair, class A, class B>
   return Pair::loose_sum(product_of<Pair>(a, b), -product_of<Pair>(c, d));
 }
 
+// The components y, z and x.
+template <class Registers>
+Triple<Registers> next(const Triple<Registers>& v) {
+  return v.next();
+}
+template <class Products, class Number>
+PairWith<Products, Number> next(const PairWith<Products, Number>& v) {
+  return {v.high.next(), v.low.next()};
+}
+
 // Loose as well.
 template <class Pair, class A, class B>
-Vector3<Pair> cross(const Vector3<A>& a, const Vector3<B>& b) {
-  return {determinant<Pair>(a[1], b[2], a[2], b[1]), determinant<Pair>(a[2], b[0], a[0], b[2]),
-          determinant<Pair>(a[0], b[1], a[1], b[0])};
+Pairs3<Pair> cross(const A& a, const B& b) {
+  return next(determinant<Pairs3<Pair>>(a, next(b), next(a), b));
 }
 
 // a / b by an approximate 1 / b that is within 2^-50 of it: within 2^-98 of its result (lemma quick-quotient,
 // section 9).
 template <class Pair>
-Pair quotient(const Pair& a, const Pair& b, double inverse) {
-  const double first = a.high * inverse;
+Pair quotient(const Pair& a, const Pair& b, const typename Pair::Number& inverse) {
+  const auto first = a.high * inverse;
   const Pair product = Pair::product(first, b.high);
-  const double rest = ((a.high - product.high) - product.low) + (a.low - first * b.low);
+  const auto rest = ((a.high - product.high) - product.low) + (a.low - first * b.low);
   return Pair::sorted_sum(first, rest * inverse);
 }
 
@@ -79,18 +96,13 @@ Root<Pair> square_root(const Pair& a) {
 
 // Nothing is lost.
 template <class Pair>
-Vector3<Pair> exact_differences(const Vector& a, const Vector& b) {
-  return {Pair::sum(a[0], -b[0]), Pair::sum(a[1], -b[1]), Pair::sum(a[2], -b[2])};
+Pairs3<Pair> exact_differences(const Vector& a, const Vector& b) {
+  return Pairs3<Pair>::sum(Doubles3<Pair>(a), -Doubles3<Pair>(b));
 }
 
-inline double high_of(double x) { return x; }
-template <class Products>
-double high_of(const PairWith<Products>& x) {
-  return x.high;
-}
-template <class Real>
-Vector highs_of(const Vector3<Real>& v) {
-  return {high_of(v[0]), high_of(v[1]), high_of(v[2])};
+template <class Pair>
+Vector highs_of(const Pair& v) {
+  return Vector(v.high);
 }
 
 inline double sum_of_magnitudes(const Vector& v) {
@@ -111,15 +123,39 @@ std::optional<double> nearest_double(const PairWith<Products>& x, double error) 
   const double low = x.high + (x.low - more), high = x.high + (x.low + more);
   return low == high && std::abs(low) >= 0x1p-900 && std::isfinite(low) ? std::optional(low) : std::nullopt;
 }
-// Whether all three are certain. `support` gives where the exact vector may differ from 0.
-template <class Pair, class GivesSupport>
-bool round_to_nearest(const Vector3<Pair>& v, double error, const GivesSupport& support, Vector& nearest) {
+
+// The same of three, each within its error.
+template <class Doubles>
+struct NearestDoubles {
+  static constexpr unsigned everywhere = 7;
+
+  Doubles nearest;
+  unsigned certain;  // a bit for each axis, the first the lowest
+};
+template <class Products, class Doubles>
+NearestDoubles<Doubles> nearest_doubles(const PairWith<Products, Doubles>& v, const Doubles& error) {
+  const Doubles more = error + magnitude(v.low) * 0x1p-50;
+  const Doubles low = v.high + (v.low - more), high = v.high + (v.low + more);
+  return {low, bits_where_same(low, high)};
+}
+
+// Zeros where numbers are uncertain; false unless they are zeros. `support` gives where the exact vector may
+// differ from 0.
+template <class GivesSupport>
+bool put_zeros(unsigned certain, const GivesSupport& support, Vector& nearest) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto rounded = nearest_double(v[k], error);
-    if (!rounded && support().has(k)) return false;
-    nearest[k] = rounded ? *rounded : 0;
+    if ((certain >> k & 1U) != 0) continue;
+    if (support().has(k)) return false;
+    nearest[k] = 0;
   }
   return true;
+}
+// Whether all three are certain.
+template <class Pairs, class GivesSupport>
+bool round_to_nearest(const Pairs& v, double error, const GivesSupport& support, Vector& nearest) {
+  const auto rounded = nearest_doubles(v, typename Pairs::Number(error));
+  nearest = Vector(rounded.nearest);
+  return rounded.certain == rounded.everywhere || put_zeros(rounded.certain, support, nearest);
 }
 
 }  // namespace groundtruth::fast

@@ -11,22 +11,23 @@ namespace groundtruth::fast {
 template <class Pair>
 class QuickAxes {
  public:
+  using Pairs = Pairs3<Pair>;
+  using Doubles = Doubles3<Pair>;
+
   explicit QuickAxes(const Quaternion& q) : q_(q) {
     const auto [w, x, y, z] = q;
-    const Pair ww = Pair::product(w, w), xx = Pair::product(x, x), yy = Pair::product(y, y),
-               zz = Pair::product(z, z);
-    const Pair upward = Pair::loose_sum(ww, zz), sideward = Pair::loose_sum(xx, yy);
-    down_ = {twice(determinant<Pair>(x, z, -w, y)), twice(determinant<Pair>(y, z, w, x)),
-             Pair::loose_sum(upward, -sideward).tidy()};
-    norm_squared_ = Pair::loose_sum(upward, sideward).tidy();
+    const Pair sideward = Pair::loose_sum(Pair::product(x, x), Pair::product(y, y));
+    const Pairs sums = sums_of_products(z, {y, -x, w});
+    down_ = axis_of(sums, {2, 2, 1}, {{0, 0, -sideward.high}, {0, 0, -sideward.low}});
+    norm_squared_ = Pair::loose_sum(component<Pair>(sums, 2), sideward).tidy();
   }
 
-  const Vector3<Pair>& down() const { return down_; }
+  const Pairs& down() const { return down_; }
   const Pair& norm_squared() const { return norm_squared_; }
-  Vector3<Pair> rightward() const {
+  Pairs rightward() const {
     const auto [w, x, y, z] = q_;
-    const Pair y_axis = Pair::loose_sum(determinant<Pair>(w, w, x, x), determinant<Pair>(y, y, z, z)).tidy();
-    return {twice(determinant<Pair>(x, y, w, z)), y_axis, twice(determinant<Pair>(y, z, -w, x))};
+    const Pair aside = Pair::loose_sum(Pair::product(x, x), Pair::product(z, z));
+    return axis_of(sums_of_products(y, {-z, w, x}), {2, 1, 2}, {{0, -aside.high, 0}, {0, -aside.low, 0}});
   }
   // Within 2^-50 |q|^2.
   Vector rightward_in_doubles() const {
@@ -35,10 +36,18 @@ class QuickAxes {
   }
 
  private:
-  static Pair twice(const Pair& a) { return Pair(2 * a.high, 2 * a.low).tidy(); }
+  // Of the quaternion's vector with `own`, and of `others` with its scalar.
+  Pairs sums_of_products(double own, const Doubles& others) const {
+    const auto [w, x, y, z] = q_;
+    return Pairs::loose_sum(Pairs::product({x, y, z}, own), Pairs::product(others, w));
+  }
+  // scale: 1 or 2.
+  static Pairs axis_of(const Pairs& sums, const Doubles& scale, const Pairs& more) {
+    return Pairs::loose_sum({scale * sums.high, scale * sums.low}, more).tidy();
+  }
 
   const Quaternion& q_;
-  Vector3<Pair> down_;
+  Pairs down_;
   Pair norm_squared_;
 };
 
@@ -47,6 +56,8 @@ class QuickAxes {
 template <class Pair>
 class QuickLoad {
  public:
+  using Pairs = Pairs3<Pair>;
+
   QuickLoad(const StepAsk& ask, const Contact& contact, const QuickAxes<Pair>& axes)
       : ask_(ask),
         axes_(axes),
@@ -57,19 +68,18 @@ class QuickLoad {
         velocity_size_(sum_of_magnitudes(highs_of(velocity_))) {
     const Vector& spin = ask.frame.angular_velocity_in_world;
     if (spin == Vector{}) return;
-    const Vector3<Pair> turning = cross<Pair>(spin, arm_);
-    for (std::size_t k = 0; k < 3; ++k) velocity_[k] = velocity_[k] - turning[k];
+    velocity_ = velocity_ - cross<Pair>(Doubles3<Pair>(spin), arm_);
     velocity_size_ += sum_of_magnitudes(spin) * arm_size_;
   }
 
-  const Vector3<Pair>& arm() const { return arm_; }  // from the frame to the pebble
+  const Pairs& arm() const { return arm_; }  // from the frame to the pebble
   double arm_size() const { return arm_size_; }
   const Pair& depth() const { return depth_; }  // of the pebble in the wheel, times |q|^2
-  const Vector3<Pair>& velocity() const { return velocity_; }
+  const Pairs& velocity() const { return velocity_; }
   double velocity_size() const { return velocity_size_; }
 
   // Within 2^-95 force_size() of the springs' force on the pebble.
-  Vector3<Pair> force() const {
+  Pairs force() const {
     const Wheel& wheel = ask_.wheel;
     const Pair& unit = axes_.norm_squared();
     const Pair springs = product_of<Pair>(Pair::sum(wheel.k_z, -wheel.k_xy), depth_);
@@ -79,12 +89,9 @@ class QuickLoad {
     const Pair along_strut = Pair::loose_sum(Pair::loose_sum(springs, dampers), -at_rest);
     const Pair unit_squared = unit * unit;
     const Pair more = quotient(along_strut, unit_squared, 1 / unit_squared.high);
-    const auto axis = [&](std::size_t k) {
-      const Pair level =
-          Pair::loose_sum(product_of<Pair>(wheel.k_xy, arm_[k]), product_of<Pair>(wheel.d_xy, velocity_[k]));
-      return Pair::loose_sum(level, product_of<Pair>(more, axes_.down()[k])).tidy();
-    };
-    return {axis(0), axis(1), axis(2)};
+    const Pairs level =
+        Pairs::loose_sum(product_of<Pairs>(wheel.k_xy, arm_), product_of<Pairs>(wheel.d_xy, velocity_));
+    return Pairs::loose_sum(level, product_of<Pairs>(more, axes_.down())).tidy();
   }
   double force_size() const {
     const Wheel& wheel = ask_.wheel;
@@ -96,10 +103,10 @@ class QuickLoad {
  private:
   const StepAsk& ask_;
   const QuickAxes<Pair>& axes_;
-  const Vector3<Pair> arm_;
+  const Pairs arm_;
   const double arm_size_;
   const Pair depth_;
-  Vector3<Pair> velocity_;
+  Pairs velocity_;
   double velocity_size_;
 };
 

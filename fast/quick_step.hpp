@@ -10,6 +10,8 @@ namespace groundtruth::fast {
 template <class Pair>
 class QuickStep {
  public:
+  using Pairs = Pairs3<Pair>;
+
   QuickStep(const Scene& scene, const StepAsk& ask)
       : scene_(scene), ask_(ask), axes_(ask.frame.world_from_wheel) {}
 
@@ -24,13 +26,13 @@ class QuickStep {
   bool give_from_free(StepAnswer& answer) const {
     const QuickOffset<Pair> at_frame;
     const QuickStrut<Pair> strut(ask_, axes_, at_frame);
-    const auto touch = touch_at(strut);
-    if (!touch) return false;
-    if (touch->kind != QuickTouch::surface) return give_without_landing(*touch, {}, answer);
+    QuickTouch touch;
+    if (!find_touch(strut, touch)) return false;
+    if (touch.kind != QuickTouch::surface) return give_without_landing(touch, {}, answer);
     Contact& landed = answer.emplace<Stepped>().state.emplace<Contact>();
-    touch->write(landed);
+    touch.write(landed);
     return place_pebble(
-        ask_.frame.position_in_world, strut.landing_on(touch->plane),
+        ask_.frame.position_in_world, strut.landing_on(touch.plane),
         [&] { return support_of_axes(ask_.frame.world_from_wheel).downward; }, landed.pebble_in_world);
   }
 
@@ -56,7 +58,7 @@ class QuickStep {
   }
 
   bool give_under(const Contact& contact, const QuickLoad<Pair>& load, StepAnswer& answer) const {
-    const Vector3<Pair> force = load.force();
+    const Pairs force = load.force();
     const ForceAsk force_ask{contact.normal_in_world,
                              cross_in_doubles(contact.normal_in_world, axes_.rightward_in_doubles()),
                              highs_of(force),
@@ -82,8 +84,10 @@ class QuickStep {
     if (!clipping) return false;
     if (*clipping == Clipping::none)
       return give_stick(contact, {force, 0x1p-90 * force_ask.force_size}, support, answer);
-    const auto forward = [&] { return cross<Pair>(contact.normal_in_world, axes_.rightward()); };
-    const SurfaceInPairs<Pair, Pair, decltype(forward)> in_pairs(force_ask, forward, force);
+    const auto forward = [&] {
+      return cross<Pair>(Doubles3<Pair>(contact.normal_in_world), axes_.rightward());
+    };
+    const SurfaceInPairs<Pair, Pairs, decltype(forward)> in_pairs(force_ask, forward, force);
     return give_slip(contact, load,
                      {in_pairs.clipped(*clipping), clip_error(force_ask, surface, *clipping), *clipping},
                      support, answer);
@@ -91,7 +95,7 @@ class QuickStep {
 
   // Of the springs on the pebble, after a clip.
   struct Borne {
-    Vector3<Pair> force;
+    Pairs force;
     double error;
     Clipping clipping = Clipping::none;
   };
@@ -114,15 +118,15 @@ class QuickStep {
     if (!write_opposite(borne, support, force_on_frame)) return false;
     const QuickOffset<Pair> offset = relocated(ask_, load, borne.force, borne.error);
     const QuickStrut<Pair> strut(ask_, axes_, offset);
-    const auto touch = touch_at(strut);
-    if (!touch) return false;
-    if (touch->kind != QuickTouch::surface) return give_without_landing(*touch, force_on_frame, answer);
+    QuickTouch touch;
+    if (!find_touch(strut, touch)) return false;
+    if (touch.kind != QuickTouch::surface) return give_without_landing(touch, force_on_frame, answer);
     Stepped& stepped = answer.emplace<Stepped>();
     stepped.force_on_frame_in_world = force_on_frame;
     Contact& slipped = stepped.state.emplace<Contact>();
     slipped.grip = Grip::slip;
-    touch->write(slipped);
-    const QuickLanding<Pair> landing = strut.landing_on(touch->plane);
+    touch.write(slipped);
+    const QuickLanding<Pair> landing = strut.landing_on(touch.plane);
     const auto of_way = [&] { return support().of_way(borne.clipping); };
     const auto of_move = [&] { return support().of_move(borne.clipping); };
     return place_pebble(ask_.frame.position_in_world, landing, of_way, slipped.pebble_in_world) &&
@@ -145,14 +149,14 @@ class QuickStep {
     return give_free(force_on_frame, answer);
   }
 
-  // Where a contact would be refused, nothing: the reason is for others to give.
-  std::optional<QuickTouch> touch_at(const QuickStrut<Pair>& strut) const {
-    auto touch = quick_touch(scene_, strut.ends(), ask_.wheel.tyre);
-    if (!touch || touch->kind != QuickTouch::surface) return touch;
-    const auto upright = is_upright_in_wheel(touch->plane.normal);
-    if (!upright || (*upright && !touch->friction)) return std::nullopt;
-    if (!*upright) touch->kind = QuickTouch::too_steep;
-    return touch;
+  // Where a contact would be refused, false: the reason is for others to give.
+  bool find_touch(const QuickStrut<Pair>& strut, QuickTouch& touch) const {
+    quick_touch(scene_, strut.ends(), ask_.wheel.tyre, touch);
+    if (touch.kind != QuickTouch::surface) return touch.kind != QuickTouch::uncertain;
+    const auto upright = is_upright_in_wheel(touch.plane.normal);
+    if (!upright || (*upright && !touch.friction)) return false;
+    if (!*upright) touch.kind = QuickTouch::too_steep;
+    return true;
   }
 
   std::optional<bool> is_upright_in_wheel(const Vector& normal) const {
@@ -164,10 +168,8 @@ class QuickStep {
 
   template <class GivesSupport>
   static bool write_opposite(const Borne& borne, const GivesSupport& support, Vector& opposite) {
-    const auto& force = borne.force;
     return round_to_nearest(
-        Vector3<Pair>{-force[0], -force[1], -force[2]}, borne.error,
-        [&] { return support().surface.clipped(borne.clipping); }, opposite);
+        -borne.force, borne.error, [&] { return support().surface.clipped(borne.clipping); }, opposite);
   }
 
   const Scene& scene_;

@@ -11,7 +11,7 @@ namespace groundtruth::fast {
 // From the frame to where a strut passes, but for a part along it: within 2^-83 size.
 template <class Pair>
 struct QuickOffset {
-  Vector3<Pair> from_frame{};
+  Pairs3<Pair> from_frame{};
   double size = 0;  // >= its length; infinite where no bound holds
 };
 
@@ -19,32 +19,36 @@ template <class Pair>
 struct QuickLanding {
   static constexpr std::size_t no_axis = 3;
 
-  Vector3<Pair> from_frame_in_world;  // its place less the frame's, within `error`; loose
-  double error;                       // not finite where the plane is so steep that no bound holds
-  std::size_t level_axis = no_axis;   // to which the plane is square: there every point has this coordinate
+  Pairs3<Pair> from_frame_in_world;  // its place less the frame's, within `error`; loose
+  double error;                      // not finite where the plane is so steep that no bound holds
+  std::size_t level_axis = no_axis;  // to which the plane is square: there every point has this coordinate
   double level = 0;
+
+  unsigned level_bit() const { return level_axis == no_axis ? 0 : 1U << level_axis; }
 };
 
 // Lemma strut-in-pairs, proofs-notes/rounding-of-forces.md, section 11.
 template <class Pair>
 class QuickStrut {
  public:
+  using Pairs = Pairs3<Pair>;
+  using Doubles = Doubles3<Pair>;
+
   QuickStrut(const StepAsk& ask, const QuickAxes<Pair>& axes, const QuickOffset<Pair>& offset)
       : ask_(ask), axes_(axes), offset_(offset) {}
 
   RangeEnds ends() const {
     const Wheel& wheel = ask_.wheel;
-    const Vector offset = highs_of(offset_.from_frame), down = highs_of(axes_.down());
-    const double inverse = 1 / axes_.norm_squared().high, depth = dot_in_doubles(down, offset) * inverse;
+    const Doubles offset = offset_.from_frame.high, down = axes_.down().high,
+                  frame(ask_.frame.position_in_world);
+    const double inverse = 1 / axes_.norm_squared().high;
+    const double depth = dot_in_doubles(Vector(down), Vector(offset)) * inverse;
     const double first = (wheel.z_min - depth) * inverse, last = (wheel.z_max - depth) * inverse;
     RangeEnds ends;
+    ends.first = Vector(frame + (offset + first * down));
+    ends.last = Vector(frame + (offset + last * down));
     double farthest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double b = ask_.frame.position_in_world[k];
-      ends.first[k] = b + (offset[k] + first * down[k]);
-      ends.last[k] = b + (offset[k] + last * down[k]);
-      farthest = std::max(farthest, std::abs(b));
-    }
+    for (const double b : ask_.frame.position_in_world) farthest = std::max(farthest, std::abs(b));
     ends.coordinate_error = 0x1p-51 * farthest +
                             0x1p-47 * (offset_.size + (std::abs(wheel.z_min) + std::abs(wheel.z_max))) +
                             0x1p-1000;
@@ -53,20 +57,22 @@ class QuickStrut {
 
   QuickLanding<Pair> landing_on(const HalfSpace& plane) const {
     const Vector& b = ask_.frame.position_in_world;
-    const Vector& n = plane.normal;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Vector& n = plane.normal;
       if (std::abs(n[axis]) != 1 || n[(axis + 1) % 3] != 0 || n[(axis + 2) % 3] != 0) continue;
       const double level = n[axis] * plane.offset + 0.0;
       const Pair height = Pair::sum(level, -b[axis]);
-      QuickLanding<Pair> landing = landing_at(Pair::loose_sum(height, -offset_.from_frame[axis]),
-                                              axes_.down()[axis], std::abs(height.high), 1);
+      QuickLanding<Pair> landing =
+          landing_at(Pair::loose_sum(height, -component<Pair>(offset_.from_frame, axis)),
+                     component<Pair>(axes_.down(), axis), std::abs(height.high), 1);
       landing.level_axis = axis;
       landing.level = level;
       return landing;
     }
-    const double n_size = sum_of_magnitudes(n);
-    const Pair height =
-        Pair::loose_sum(Pair::loose_sum(plane.offset, -dot<Pair>(n, b)), -dot<Pair>(n, offset_.from_frame));
+    const double n_size = sum_of_magnitudes(plane.normal);
+    const Doubles n(plane.normal);
+    const Pair height = Pair::loose_sum(Pair::loose_sum(plane.offset, -dot<Pair>(n, Doubles(b))),
+                                        -dot<Pair>(n, offset_.from_frame));
     return landing_at(height, dot<Pair>(n, axes_.down()),
                       std::abs(plane.offset) / n_size + sum_of_magnitudes(b), n_size);
   }
@@ -79,10 +85,7 @@ class QuickStrut {
     const double size = plane_size + offset_.size;
     const bool is_bound = steepness < 0x1p12 && size > 0x1p-200;
     const Pair way = quotient(height, slope, inverse);
-    const auto axis = [&](std::size_t k) {
-      return Pair::loose_sum(offset_.from_frame[k], product_of<Pair>(way, axes_.down()[k]));
-    };
-    return {{axis(0), axis(1), axis(2)},
+    return {Pairs::loose_sum(offset_.from_frame, product_of<Pairs>(way, axes_.down())),
             is_bound ? steepness * (0x1p-81 * offset_.size + 0x1p-94 * (steepness * plane_size))
                      : std::numeric_limits<double>::infinity()};
   }

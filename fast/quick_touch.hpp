@@ -10,9 +10,9 @@
 namespace groundtruth::fast {
 
 struct QuickTouch {
-  enum Kind { nothing, broken, too_steep, surface };
+  enum Kind { uncertain, nothing, broken, too_steep, surface };
 
-  Kind kind = nothing;
+  Kind kind = uncertain;
   // Of a surface; no friction: none is known for the tyre.
   HalfSpace plane{};
   const Friction* friction = nullptr;
@@ -26,7 +26,7 @@ struct QuickTouch {
   }
 };
 
-// Steepness is for others to tell. Nothing: uncertain.
-std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre);
+// Steepness is for others to tell. In place: a processor waits where what was just written is copied.
+void quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre, QuickTouch& touch);
 
 }  // namespace groundtruth::fast

@@ -1,6 +1,7 @@
 #include <groundtruth/fast/step.hpp>
 
 #include <groundtruth/fast/exact_stage/step.hpp>
+#include <groundtruth/fast/number_traced.hpp>
 #include <groundtruth/fast/quick_step.hpp>
 #include <groundtruth/fast/step_decided.hpp>
 #include <groundtruth/fast/step_ground.hpp>
@@ -28,7 +29,7 @@ bool give_quickly(const Scene& scene, const StepAsk& ask, Kernels kernels, StepA
 DecidedStep step_in_counted_pairs(const Scene& scene, const StepAsk& ask) {
   const auto plan = StepPlanner<Pair>(scene, ask).plan();
   if (!plan) return {exactly(scene, ask), Stage::exact, Stage::exact};
-  if (const auto answer = StepNumbers<Pair>(ask, *plan).answer())
+  if (const auto answer = StepNumbers<TracedPair>(ask, *plan).answer())
     return {*answer, Stage::double_pair, Stage::double_pair};
   return {exactly(scene, ask), Stage::double_pair, Stage::exact};
 }
@@ -42,9 +43,9 @@ DecidedStep decide_step(const Scene& scene, const StepAsk& ask, Kernels kernels)
 }
 
 StepAnswer step(const Scene& scene, const StepAsk& ask) {
-  StepAnswer quick;
-  if (give_quickly(scene, ask, best_kernels(), quick)) return quick;
-  return step_in_counted_pairs(scene, ask).answer;
+  StepAnswer answer;
+  if (!give_quickly(scene, ask, best_kernels(), answer)) answer = step_in_counted_pairs(scene, ask).answer;
+  return answer;
 }
 
 }  // namespace groundtruth::fast

@@ -5,39 +5,59 @@
 
 namespace groundtruth::fast {
 
-std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
+namespace {
+
+struct StrutHit {
+  QuickTouch::Kind kind = QuickTouch::uncertain;
+  Face face{};  // of a surface
+  std::optional<MaterialIndex> material{};
+};
+
+[[gnu::always_inline]] inline StrutHit hit_along(const Scene& scene, const RangeEnds& ends) {
+  StrutHit hit;
   const Probe probe(ends);
   SearchResult result;
   search(scene, probe, result);
-  if (result.starts_inside) return StepFailure::wheel_broken;
-  if (result.contenders.empty()) return NoContact{};
-  const Face face = sole_face(scene, probe, result);
-  if (face.leaf == no_leaf || !(result.lower() > 0 && result.upper < 1)) return std::nullopt;
-  const HitPlace place{result.lower(), result.upper, face, nullptr};
-  const auto material = material_by_doubles(scene, probe, place);
-  if (!material) return std::nullopt;
-  return FaceFound{face.leaf, face.half_space, *material};
+  if (result.starts_inside) {
+    hit.kind = QuickTouch::broken;
+    return hit;
+  }
+  if (result.contenders.empty()) {
+    hit.kind = QuickTouch::nothing;
+    return hit;
+  }
+  hit.face = sole_face(scene, probe, result);
+  if (hit.face.leaf == no_leaf || !(result.lower() > 0 && result.upper < 1)) return hit;
+  auto material = sure_material(hit.face);
+  if (!material)
+    material = material_by_doubles(scene, probe, {result.lower(), result.upper, hit.face, nullptr});
+  if (!material) return hit;
+  hit.material = *material;
+  hit.kind = QuickTouch::surface;
+  return hit;
 }
 
-std::optional<QuickTouch> quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre) {
-  const auto found = face_along(scene, ends);
-  if (!found) return std::nullopt;
-  QuickTouch touch;
-  if (std::holds_alternative<NoContact>(*found)) return touch;
-  if (std::holds_alternative<StepFailure>(*found)) {
-    touch.kind = QuickTouch::broken;
-    return touch;
-  }
-  const auto& face = std::get<FaceFound>(*found);
-  touch.kind = QuickTouch::surface;
-  touch.plane = face.plane;
-  if (!face.material) return touch;
-  const Material& material = scene.materials()[*face.material];
+}  // namespace
+
+std::optional<FaceAlong> face_along(const Scene& scene, const RangeEnds& ends) {
+  const StrutHit hit = hit_along(scene, ends);
+  if (hit.kind == QuickTouch::uncertain) return std::nullopt;
+  if (hit.kind == QuickTouch::nothing) return NoContact{};
+  if (hit.kind == QuickTouch::broken) return StepFailure::wheel_broken;
+  return FaceFound{hit.face.leaf, hit.face.half_space, hit.material};
+}
+
+void quick_touch(const Scene& scene, const RangeEnds& ends, const std::string& tyre, QuickTouch& touch) {
+  const StrutHit hit = hit_along(scene, ends);
+  touch.kind = hit.kind;
+  if (hit.kind != QuickTouch::surface) return;
+  touch.plane = hit.face.half_space;
+  if (!hit.material) return;
+  const Material& material = scene.materials()[*hit.material];
   touch.maximum_force = material.maximum_force;
   // Looking at all of a few is quicker than to search them.
   for (const auto& [name, friction] : material.friction_by_tyre)
     if (name == tyre) touch.friction = &friction;
-  return touch;
 }
 
 exact_stage::ExpressionView SolidAlongStrut::along(const RangeEnds& ends) {

@@ -70,14 +70,12 @@ class Load {
   CountedVector<Real, n + 7> relocated(const CountedVector<Real, n>& clipped,
                                        const CountedVector<Real, m>& velocity) const {
     const auto k_xy = counted<Real>(ask_.wheel.k_xy), d_xy = counted<Real>(ask_.wheel.d_xy);
-    if (ask_.wheel.relocation == Relocation::spring) {
-      const auto inverse = counted<Real>(1) / k_xy;
-      return {clipped[0] * inverse, clipped[1] * inverse, clipped[2] * inverse};
-    }
+    if (ask_.wheel.relocation == Relocation::spring)
+      return {clipped[0] / k_xy, clipped[1] / k_xy, clipped[2] / k_xy};
     const auto h = counted<Real>(ask_.h);
-    const auto inverse = counted<Real>(1) / (h * k_xy + d_xy);
+    const auto stiffness = h * k_xy + d_xy;
     const auto axis = [&](std::size_t k) {
-      return (h * clipped[k] + d_xy * (arm_[k] - h * velocity[k])) * inverse;
+      return (h * clipped[k] + d_xy * (arm_[k] - h * velocity[k])) / stiffness;
     };
     return {axis(0), axis(1), axis(2)};
   }

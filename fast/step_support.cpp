@@ -13,8 +13,9 @@ namespace {
 bool is_zero_or_large(double x) { return x == 0 || std::abs(x) >= 0x1p-200; }
 
 bool have_distinct_products(double a, double b, double c, double d) {
-  const Pair first = Pair::product(a, b), second = Pair::product(c, d);
-  return first.high != second.high || first.low != second.low;
+  const double first = a * b, second = c * d;
+  if (first != second) return true;
+  return first != 0 && SplitProducts::lost(a, b, first) != SplitProducts::lost(c, d, second);
 }
 
 // Of a^2 + b^2 and c^2 + d^2. There may be more ways to be equal.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <groundtruth/fast/clipping.hpp>
+#include <groundtruth/fast/lanes.hpp>
 #include <groundtruth/problem/vector.hpp>
 
 namespace groundtruth::fast {
@@ -18,9 +19,10 @@ class Support {
 
   constexpr Support() = default;  // of a vector that is 0
   constexpr Support(bool x, bool y, bool z) : axes_((x ? 1U : 0U) | (y ? 2U : 0U) | (z ? 4U : 0U)) {}
-  explicit Support(const Vector& v) : Support(v[0] != 0, v[1] != 0, v[2] != 0) {}
+  explicit Support(const Vector& v) : Support(of_difference(v, {})) {}
   static Support of_difference(const Vector& a, const Vector& b) {
-    return {a[0] != b[0], a[1] != b[1], a[2] != b[2]};
+    const unsigned first_two = TwoDoubles::bits(V2d{a[0], a[1]} != V2d{b[0], b[1]});
+    return Support(first_two | (a[2] != b[2] ? 4U : 0U));
   }
 
   bool has(std::size_t axis) const { return (axes_ >> axis & 1U) != 0; }

@@ -4,6 +4,7 @@
 // Whatever takes a decision returns nothing where that is uncertain.
 
 #include <array>
+#include <type_traits>
 
 #include <groundtruth/fast/clipping.hpp>
 #include <groundtruth/fast/number_counted.hpp>
@@ -167,10 +168,23 @@ class ForceOnSurface {
       return (ahead * forward_[k] + aside * across_axis[k]) - pressed * grasp_.normal[k];
     });
   }
+  // By force - pressed n = turning x n / |n|^2: along a normal that is an axis nothing is rounded.
   auto onto_circle() const {
-    const auto part = magnitude(limit()) / root(turning_squared());
-    const auto pressed = (one() - part) * (down() / n_squared());
-    return vector_of([&](std::size_t k) { return part * force_[k] - pressed * grasp_.normal[k]; });
+    const auto length_squared = n_squared();
+    const auto pressed = down() / length_squared;
+    const auto aside = cross(turning_at_rim(), grasp_.normal);
+    return vector_of([&](std::size_t k) { return aside[k] / length_squared - pressed * grasp_.normal[k]; });
+  }
+  // As long as the disc allows. Along an axis that is known without a root.
+  auto turning_at_rim() const {
+    const auto v = turning();
+    const auto rim = magnitude(limit());
+    const auto part = rim / root(turning_squared());
+    return vector_of([&](std::size_t k) {
+      const bool is_alone = v[(k + 1) % 3].size == 0 && v[(k + 2) % 3].size == 0;
+      const auto scaled = part * v[k];
+      return is_alone ? std::remove_const_t<decltype(scaled)>(with_sign_of(v[k], rim)) : scaled;
+    });
   }
 
   template <class Axis>

@@ -123,6 +123,22 @@ TEST(FastStepStages, PulledAsideByNextToNothingIsLeftToCountedPairs) {
   expect_stages(flat(), ask, Stage::double_pair, Stage::double_pair);
 }
 
+// The load is 5 (2^51 - 1) 2^-37, an odd number of 54 bits.
+TEST(FastStepStages, TiesOfFewBitsNeedNoExactStage) {
+  for (const double brake : {0.0, 300.0, 1e5}) {
+    StepAsk ask = in_contact({3.3125, 0, 0});
+    ask.brake = brake;
+    ask.frame.position_in_world = {3, 0, 0.5 + 0x1p-53};
+    ask.frame.world_from_wheel = {0, 1, 0, 0};
+    ask.frame.velocity_in_world = {};
+    ask.wheel.k_z = -0x5p16;
+    ask.wheel.z_zero = 0.75;
+    ask.wheel.z_max = 0.75;
+    std::get<Contact>(ask.state).pebble_velocity_in_world = {};
+    expect_stages(flat(), ask, Stage::double_pair, Stage::double_pair);
+  }
+}
+
 TEST(FastStepStages, LimitsAreDecidedExactly) {
   StepAsk ask = above_ground();
   ask.frame.world_from_wheel = {0, 1, 0, 0};

@@ -49,8 +49,8 @@ EXPRESSIONS = [
      "const Lanes middle = a * inverse, error = error_ * inverse, margin = greater(error, -error);"),
     ("fast/cell_kernels_body.hpp",
      "return {greater(a, b) < -error_, w > twice_error_, w < -twice_error_, middle - margin, middle + margin};"),
-    ("fast/number_pair.hpp", "const double sum = a + b, b_part = sum - a; return {sum, (a - (sum - b_part)) + (b - b_part)};"),
-    ("fast/number_pair.hpp", "const double sum = a + b; return {sum, b - (sum - a)};"),
+    ("fast/number_pair.hpp", "const Number sum = a + b, b_part = sum - a; return {sum, (a - (sum - b_part)) + (b - b_part)};"),
+    ("fast/number_pair.hpp", "const Number sum = a + b; return {sum, b - (sum - a)};"),
     ("fast/number_pair.hpp", "return {s.high, s.low + (a.low + b.low)};"),
     ("fast/number_pair.hpp", "return {p.high, p.low + (a.high * b.low + a.low * b.high)};"),
     ("fast/crossing_body.hpp", "const double error = 128 * unit * unit * (size * inverse) * (1 + 2 * magnitude) +"
@@ -66,8 +66,8 @@ EXPRESSIONS = [
                              " return sorted_sum(first, rest.high / b.high);"),
     ("fast/number_pair.hpp", "const PairWith rest = a - product(first, first);"
                              " return sorted_sum(first, rest.high / (2 * first));"),
-    ("fast/pairs.hpp", "const double first = a.high * inverse; const Pair product = Pair::product(first, b.high);"
-                       " const double rest = ((a.high - product.high) - product.low) + (a.low - first * b.low);"
+    ("fast/pairs.hpp", "const auto first = a.high * inverse; const Pair product = Pair::product(first, b.high);"
+                       " const auto rest = ((a.high - product.high) - product.low) + (a.low - first * b.low);"
                        " return Pair::sorted_sum(first, rest * inverse);"),
     ("fast/pairs.hpp", "const double rest = ((a.high - square.high) - square.low) + a.low;"
                        " return {Pair::sorted_sum(first, rest * (0.5 * inverse)), inverse};"),
