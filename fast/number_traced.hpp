@@ -1,6 +1,6 @@
 #pragma once
-// Double-doubles that know whether they are exact: then no bound is needed to round one that is a tie. Not
-// installed.
+// Double-doubles that know whether they are exact: then no bound is needed to round one that is a tie (lemma
+// exact-pairs, proofs-notes/rounding-of-forces.md, section 2). Not installed.
 
 #include <groundtruth/fast/number_counted.hpp>
 
