@@ -4,6 +4,6 @@
 
 namespace groundtruth::fast {
 
-const CellKernels avx2_cell_kernels = kernels_of<WideLanes, WideFloatLanes, FusedProducts>;
+const CellKernels avx2_cell_kernels = kernels_of<WideLanes, WideFloatLanes, WideProducts>;
 
 }  // namespace groundtruth::fast

@@ -60,7 +60,7 @@ struct TwoFusedDoubles {
 };
 
 // Exact unless the error underflows or the product overflows: as good as Dekker's at least.
-struct FusedProducts {
+struct WideProducts {
   using Ends = OneVector<TwoFusedDoubles>;
   static Ends lost(Ends a, Ends b, Ends product) {
     return {_mm_fmsub_pd(a.vector, b.vector, product.vector)};
