@@ -115,6 +115,15 @@ Proof.
   rewrite HD, Hn. unfold F, n. rewrite !times_by_coordinates, plus_by_coordinates. f_equal; field; lra.
 Qed.
 
+(* The same as fast/surface.hpp computes it. *)
+Theorem onto_circle_by_turning : 0 < x * x + y * y ->
+  let rho := mu * Rabs D / sqrt (dot T T) in
+  at_ f (m * x / sqrt (x * x + y * y)) (m * y / sqrt (x * x + y * y)) z = plus (times (rho / nn) (cross T n)) (times (D / nn) n).
+Proof.
+  intros some rho. rewrite (onto_circle some). fold rho. destruct products as (_ & _ & HD & _ & Hn & _). rewrite HD, Hn. unfold T, F, n.
+  rewrite !cross_by_coordinates by assumption. rewrite !times_by_coordinates, !plus_by_coordinates. f_equal; field; lra.
+Qed.
+
 End Surface.
 
 Print Assumptions forward_is_along_X.
@@ -123,3 +132,4 @@ Print Assumptions onto_band_edge.
 Print Assumptions onto_line_without_brake.
 Print Assumptions onto_corner.
 Print Assumptions onto_circle.
+Print Assumptions onto_circle_by_turning.
