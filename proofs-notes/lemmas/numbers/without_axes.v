@@ -115,6 +115,14 @@ Proof.
   rewrite HD, Hn. unfold F, n. rewrite !times_by_coordinates, plus_by_coordinates. f_equal; field; lra.
 Qed.
 
+(* As counted numbers have it: rho (T x n) / |n|^2 and the part along the normal. *)
+Theorem onto_circle_by_turning : forall rho,
+  plus (times rho F) (times ((1 - rho) * (D / nn)) n) = plus (times (rho / nn) (cross T n)) (times (D / nn) n).
+Proof.
+  intros rho. destruct products as (_ & _ & HD & _ & Hn & _). rewrite HD, Hn. unfold T, n, F.
+  rewrite !cross_by_coordinates, !times_by_coordinates, !plus_by_coordinates by assumption. f_equal; field; lra.
+Qed.
+
 End Surface.
 
 Print Assumptions forward_is_along_X.
@@ -123,3 +131,4 @@ Print Assumptions onto_band_edge.
 Print Assumptions onto_line_without_brake.
 Print Assumptions onto_corner.
 Print Assumptions onto_circle.
+Print Assumptions onto_circle_by_turning.
