@@ -151,5 +151,4 @@ Qed.
 End Circle.
 End Clip.
 
-Print Assumptions quotient_moves.
 Print Assumptions circle_is_near.

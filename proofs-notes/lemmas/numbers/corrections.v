@@ -161,7 +161,5 @@ Proof.
 Qed.
 End Root.
 
-Print Assumptions first_products.
 Print Assumptions corrected_quotient.
-Print Assumptions first_square.
 Print Assumptions corrected_root.

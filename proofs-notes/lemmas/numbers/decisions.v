@@ -234,9 +234,7 @@ Qed.
 
 End Surface.
 
-Print Assumptions comparison_is_right.
 Print Assumptions band_is_decided.
 Print Assumptions disc_is_decided.
 Print Assumptions corner_is_decided.
-Print Assumptions sign_by_square.
 Print Assumptions holding_is_decided.

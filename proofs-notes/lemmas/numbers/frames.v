@@ -59,5 +59,4 @@ Proof. intros; unfold at_, plus, times; simpl; f_equal; ring. Qed.
 End In.
 
 Print Assumptions surface_is_a_frame.
-Print Assumptions dot_by_coordinates.
 Print Assumptions cross_by_coordinates.

@@ -130,7 +130,5 @@ Qed.
 End Chains.
 
 Print Assumptions product_of_pairs.
-Print Assumptions product_of_double_and_pair.
-Print Assumptions determinant_error.
 Print Assumptions tidy_determinant_error.
 Print Assumptions dot_error.

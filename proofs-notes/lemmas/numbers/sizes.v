@@ -123,6 +123,5 @@ Proof.
   - now apply two.
 Qed.
 
-Print Assumptions cauchy.
 Print Assumptions dot_error.
 Print Assumptions cross_error.

@@ -115,13 +115,12 @@ Proof.
   rewrite HD, Hn. unfold F, n. rewrite !times_by_coordinates, plus_by_coordinates. f_equal; field; lra.
 Qed.
 
-(* The same as fast/surface.hpp computes it. *)
-Theorem onto_circle_by_turning : 0 < x * x + y * y ->
-  let rho := mu * Rabs D / sqrt (dot T T) in
-  at_ f (m * x / sqrt (x * x + y * y)) (m * y / sqrt (x * x + y * y)) z = plus (times (rho / nn) (cross T n)) (times (D / nn) n).
+(* As counted numbers have it: rho (T x n) / |n|^2 and the part along the normal. *)
+Theorem onto_circle_by_turning : forall rho,
+  plus (times rho F) (times ((1 - rho) * (D / nn)) n) = plus (times (rho / nn) (cross T n)) (times (D / nn) n).
 Proof.
-  intros some rho. rewrite (onto_circle some). fold rho. destruct products as (_ & _ & HD & _ & Hn & _). rewrite HD, Hn. unfold T, F, n.
-  rewrite !cross_by_coordinates by assumption. rewrite !times_by_coordinates, !plus_by_coordinates. f_equal; field; lra.
+  intros rho. destruct products as (_ & _ & HD & _ & Hn & _). rewrite HD, Hn. unfold T, n, F.
+  rewrite !cross_by_coordinates, !times_by_coordinates, !plus_by_coordinates by assumption. f_equal; field; lra.
 Qed.
 
 End Surface.
