@@ -104,7 +104,7 @@ Proof.
   assert (0 <= d) as d_pos by (apply Rmult_le_pos; [assumption | apply Rabs_pos]).
   assert (d * d = mu * mu * (D * D)) as dd by (unfold d, Rabs; destruct (Rcase_abs D); ring).
   assert (0 <= B * B * (l * l)) as K_pos by (apply Rmult_le_pos; apply Rle_0_sqr). rewrite <- dd in S_is, sigma_near.
-  assert (S <= d) as S_most by (apply Rnot_lt_le; intros more; nra).
+  assert (S <= d) as S_most by (apply Rnot_lt_le; intros more; assert (d * d < S * S) by (apply Rmult_le_0_lt_compat; lra); lra).
   assert (0 <= S * condition) by lra.
   (* the root *)
   assert (Rabs (limit' * limit' - d * d) <= 12 * eps * m * (2 * d + 12 * eps * m)) as squares.
@@ -143,7 +143,7 @@ Proof.
   assert (B <= (1 + eps) * (mu * f)) as B_most.
   { apply cancel with l; [assumption |]. replace ((1 + eps) * (mu * f) * l) with ((1 + eps) * m) by (rewrite ml; ring). apply Rle_trans with (2 := d_most).
     apply Rnot_lt_le. intros more.
-    assert (d * d < B * l * (B * l)) by nra. assert (0 < S * S) by now apply Rmult_lt_0_compat. assert (B * l * (B * l) = B * B * (l * l)) by ring. lra. }
+    assert (d * d < B * l * (B * l)) by (apply Rmult_le_0_lt_compat; lra). assert (0 < S * S) by now apply Rmult_lt_0_compat. assert (B * l * (B * l) = B * B * (l * l)) by ring. lra. }
   pose proof (quotient_moves B k h B k' h' 0 (264 * eps) _ k_pos ltac:(rewrite Rminus_diag_eq, Rabs_R0; [lra | reflexivity]) length_near ltac:(unfold eps; lra) h_is h_near) as h_off.
   rewrite (Rabs_pos_eq B) in h_off by assumption.
   assert (Rabs h * k <= B) as h_size by (rewrite <- (Rabs_pos_eq k) by lra; rewrite <- Rabs_mult, h_is, Rabs_pos_eq; lra).
