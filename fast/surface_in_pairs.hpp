@@ -6,7 +6,7 @@
 namespace groundtruth::fast {
 
 // Lemma clip-in-pairs (proofs-notes/rounding-of-forces.md, section 9): what clipped() is off by, of a force
-// and a forward axis within 2^-95 force_size and 2^-90 of its length. Requires a clipping that
+// and a forward axis within 2^-94 force_size and 2^-90 of its length. Requires a clipping that
 // SurfaceInDoubles has decided.
 inline double clip_error(const ForceAsk& ask, const SurfaceInDoubles& decided, Clipping clipping) {
   const double of_disc =
