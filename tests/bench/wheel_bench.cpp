@@ -1,7 +1,8 @@
 // Clips and steps: kinds of asks x engines, one thread. Times are per ask; "quick" is the part of the asks
-// that fast decides in doubles.
+// that fast decides in doubles, "slips" the part that slips.
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <random>
 #include <string>
@@ -50,15 +51,19 @@ const std::vector<Pull> straight_pulls{{"straight-stick", 1e3, 0, 1e4},
                                        {"straight-slip-3-circle", 6e3, 0, 1e5},
                                        {"straight-on-ice", 1e3, 0, 500, 0}};
 
+// Of a row's asks.
+using Shares = std::map<std::string, double>;
+
 template <class Ask, class Answer>
-void ask_all(const std::string& name, const std::vector<Ask>& asks, Answer answer, double quick = 0) {
+void ask_all(const std::string& name, const std::vector<Ask>& asks, Answer answer,
+             const Shares& shares = {}) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
     std::size_t i = 0;
     for (auto _ : state) {
       benchmark::DoNotOptimize(answer(asks[i]));
       if (++i == asks.size()) i = 0;
     }
-    if (quick > 0) state.counters["quick"] = quick;
+    for (const auto& [what, share] : shares) state.counters[what] = share;
   });
 }
 
@@ -147,18 +152,34 @@ std::vector<StepAsk> free_steps(double height) {
   return asks;
 }
 
-// The part of the asks that leave no stage after the quick one anything to do.
-template <class Ask, class IsQuick>
-double quick_part(const std::vector<Ask>& asks, IsQuick is_quick) {
-  return static_cast<double>(std::ranges::count_if(asks, is_quick)) / static_cast<double>(asks.size());
+template <class Ask, class Is>
+double share(const std::vector<Ask>& asks, Is is) {
+  return static_cast<double>(std::ranges::count_if(asks, is)) / static_cast<double>(asks.size());
+}
+
+bool is_slip(const ClipAnswer& answer) {
+  const auto* clipped = std::get_if<Clipped>(&answer);
+  return clipped != nullptr && clipped->grip == Grip::slip;
+}
+bool is_slip(const StepAnswer& answer) {
+  const auto* stepped = std::get_if<Stepped>(&answer);
+  const auto* contact = stepped == nullptr ? nullptr : std::get_if<Contact>(&stepped->state);
+  return contact != nullptr && contact->grip == Grip::slip;
+}
+
+// quick: no stage after the first has anything to do. slips: what the row's name may say.
+template <class Ask, class Decide>
+Shares shares_of(const std::vector<Ask>& asks, Decide decide) {
+  return {
+      {"quick", share(asks, [&](const Ask& ask) { return decide(ask).decisions == fast::Stage::doubles; })},
+      {"slips", share(asks, [&](const Ask& ask) { return is_slip(decide(ask).answer); })}};
 }
 
 void register_clips(const std::string& kind, const std::vector<ClipAsk>& asks) {
   const std::string name = "clip/" + kind + "/";
-  const double quick = quick_part(
-      asks, [](const ClipAsk& ask) { return fast::decide_clip(ask).decisions == fast::Stage::doubles; });
   ask_all(
-      name + "fast", asks, [](const ClipAsk& ask) { return fast::clip(ask); }, quick);
+      name + "fast", asks, [](const ClipAsk& ask) { return fast::clip(ask); },
+      shares_of(asks, [](const ClipAsk& ask) { return fast::decide_clip(ask); }));
   ask_all(name + "double", asks,
           [](const ClipAsk& ask) { return as_written::clip(ask, as_written::Errata{}); });
   ask_all(name + "exact", asks, [](const ClipAsk& ask) { return exact::clip(ask); });
@@ -184,11 +205,9 @@ class Steps {
   void add(const std::string& kind, const std::vector<StepAsk>& asks) const {
     const std::string name = "step/" + ground_ + "/" + kind + "/";
     const auto with = with_;
-    const double quick = quick_part(asks, [&](const StepAsk& ask) {
-      return fast::decide_step(with->compiled, ask).decisions == fast::Stage::doubles;
-    });
     ask_all(
-        name + "fast", asks, [=](const StepAsk& ask) { return fast::step(with->compiled, ask); }, quick);
+        name + "fast", asks, [=](const StepAsk& ask) { return fast::step(with->compiled, ask); },
+        shares_of(asks, [&](const StepAsk& ask) { return fast::decide_step(with->compiled, ask); }));
     ask_all(name + "double", asks,
             [=](const StepAsk& ask) { return as_written::step(with->plain, ask, as_written::Errata{}); });
     ask_all(name + "exact", asks, [=](const StepAsk& ask) { return exact::step(with->exactly, ask); });
@@ -216,7 +235,7 @@ void register_steps() {
   const Steps level("half-space", one_half_space({0, 0, 1}));
   level.add_level();
   level.add_straight(0);
-  Steps("slope", one_half_space({-0.25, 0, 1})).add_straight(0.25);
+  Steps("slope", one_half_space({0.25, 0, 1})).add_straight(-0.25);
   Steps("runway-1000", cases::runway_of(1000)).add_level();
 }
 
