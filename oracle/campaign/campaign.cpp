@@ -124,7 +124,7 @@ class Worker {
 
 Sampling definition_sampling(std::size_t leaves) {
   const std::uint64_t large = leaves / 256;
-  return {1 + large * 2, 2, 8 + large};
+  return {1 + large * 4, 2, 8 + large};
 }
 
 Sampling proved_sampling(std::size_t leaves) { return {1 + leaves / 1024, 0, 0}; }
