@@ -10,27 +10,32 @@
 
 namespace groundtruth::fast {
 
-Meeting meet_general(const SearchTask& task, Part part);
-void search_hierarchy(const Parts& parts, SearchTask& task);
+// What few asks need; what every ask goes through stands below, to be inlined.
 // Of a part that is no cell.
+Meeting meet_general(const SearchTask& task, Part part);
 Face sole_face_of_general(const Scene& scene, const Probe& probe, const Contender& contender);
+// Adds what the range may meet of the hierarchy.
+void search_hierarchy(const Parts& parts, SearchTask& task);
 
-// Only one contender, which certainly hits through one leaf alone: that leaf, and only that, is admissible.
-// Else no_leaf.
-inline Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result) {
-  if (result.contenders.size() != 1) return {};
+// The only contender, if it certainly hits; else null.
+inline const Contender* sole_hit(const SearchResult& result) {
+  if (result.contenders.size() != 1) return nullptr;
   const Contender& sole = result.contenders.front();
-  if (!sole.meeting.certainly_hits()) return {};
+  return sole.meeting.certainly_hits() ? &sole : nullptr;
+}
+
+// A sole hit through one leaf alone: that leaf, and only that, is admissible. Else no_leaf.
+inline Face sole_face(const Scene& scene, const Probe& probe, const SearchResult& result) {
+  const Contender* const sole = sole_hit(result);
+  if (sole == nullptr) return {};
   const PackedCells& cells = scene.parts().cells;
-  if (!scene.parts().is_cell(sole.part)) return sole_face_of_general(scene, probe, sole);
-  return sole_face(cells, cells.cells[sole.part], sole.meeting);
+  if (!scene.parts().is_cell(sole->part)) return sole_face_of_general(scene, probe, *sole);
+  return sole_face(cells, cells.cells[sole->part], sole->meeting);
 }
 // The same where all parts are these cells.
 inline Face sole_face(const PackedCells& cells, const SearchResult& result) {
-  if (result.contenders.size() != 1) return {};
-  const Contender& sole = result.contenders.front();
-  if (!sole.meeting.certainly_hits()) return {};
-  return sole_face(cells, cells.cells[sole.part], sole.meeting);
+  const Contender* const sole = sole_hit(result);
+  return sole == nullptr ? Face{} : sole_face(cells, cells.cells[sole->part], sole->meeting);
 }
 
 // What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
