@@ -33,21 +33,7 @@ double way_between(const RangeEnds& one, const RangeEnds& next) {
 constexpr Part all_parts[Neighbourhood::most_cells] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 void search(const Scene& scene, const PackedCells& cells, const Probe& probe, SearchResult& result) {
-  const Grid& grid = scene.parts().grid;
-  SearchTask task{cells.groups.data(),
-                  cells.cells.data(),
-                  cells.cells.size(),
-                  nullptr,
-                  nullptr,
-                  grid,
-                  grid.starts.data(),
-                  grid.entries.data(),
-                  probe.ends().first.data(),
-                  probe.ends().last.data(),
-                  probe,
-                  result,
-                  meet_general,
-                  &scene};
+  SearchTask task = search_task(scene, cells, probe, result);
   scene.parts().kernels->visit_parts(task, all_parts, all_parts + cells.cells.size());
   result.drop_late_ones();
 }

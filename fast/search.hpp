@@ -38,25 +38,34 @@ inline Face sole_face(const PackedCells& cells, const SearchResult& result) {
   return sole == nullptr ? Face{} : sole_face(cells, cells.cells[sole->part], sole->meeting);
 }
 
+// Over cells of the scene's, or what a box leaves of them; no part is apart.
+inline SearchTask search_task(const Scene& scene, const PackedCells& cells, const Probe& probe,
+                              SearchResult& result) {
+  const Grid& grid = scene.parts().grid;
+  const RangeEnds& ends = probe.ends();
+  return {cells.groups.data(),
+          cells.cells.data(),
+          cells.cells.size(),
+          nullptr,
+          nullptr,
+          grid,
+          grid.starts.data(),
+          grid.entries.data(),
+          ends.first.data(),
+          ends.last.data(),
+          probe,
+          result,
+          meet_general,
+          &scene};
+}
+
 // What `result` says first of the scene's parts is sure of all of them (search_task.hpp). Requires an empty
 // one.
 inline void search(const Scene& scene, const Probe& probe, SearchResult& result) {
   const Parts& parts = scene.parts();
-  const RangeEnds& ends = probe.ends();
-  SearchTask task{parts.cells.groups.data(),
-                  parts.cells.cells.data(),
-                  parts.cells.cells.size(),
-                  parts.apart.data(),
-                  parts.apart.data() + parts.apart.size(),
-                  parts.grid,
-                  parts.grid.starts.data(),
-                  parts.grid.entries.data(),
-                  ends.first.data(),
-                  ends.last.data(),
-                  probe,
-                  result,
-                  meet_general,
-                  &scene};
+  SearchTask task = search_task(scene, parts.cells, probe, result);
+  task.apart = parts.apart.data();
+  task.apart_end = task.apart + parts.apart.size();
   if (parts.kernels->visit_near(task) == Left::hierarchy && !parts.hierarchy.nodes.empty())
     search_hierarchy(parts, task);
   if (result.contenders.size() > 1) result.drop_late_ones();

@@ -8,11 +8,12 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <groundtruth/fast/grid.hpp>
 
 namespace groundtruth::fast {
 namespace {
 
-// Boxes end there: no range that is searched for in them goes so far (greatest_box_coordinate).
+// Boxes end there: no range that is searched for in them goes so far (suit_boxes).
 constexpr double greatest_float = double{std::numeric_limits<float>::max()};
 
 struct Visited {
@@ -63,6 +64,25 @@ TEST(BoxHierarchies, HoldEveryPartOnceInBoxesAroundIt) {
   for (int i = 0; i < 5000; ++i)
     boxes.push_back(cube({place(random), place(random), place(random)}, side(random)));
   for (const int times : visit(boxes).times) EXPECT_EQ(times, 1);
+}
+
+TEST(GridEntries, AreReachedWhereSixPlacesOverlap) {
+  std::mt19937_64 random(1);
+  // Few places, so that many are the same, at both ends of what there is.
+  const auto place = [&] {
+    return static_cast<std::uint32_t>(random() % 4 + (random() % 2 == 0 ? 0 : Stretches::last_place - 3));
+  };
+  const auto some = [&] { return Stretches{place(), place(), place(), place(), place(), place()}; };
+  unsigned reached = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Stretches part = some(), range = some();
+    const bool overlap = part.first_across <= range.last_across && range.first_across <= part.last_across &&
+                         part.first_along <= range.last_along && range.first_along <= part.last_along &&
+                         part.first_upward <= range.last_upward && range.first_upward <= part.last_upward;
+    ASSERT_EQ(Stretches::reach(range.of_range(), part.of_part()), overlap ? 1u : 0u) << i;
+    reached += overlap;
+  }
+  EXPECT_GT(reached, 1000u);
 }
 
 TEST(BoxHierarchies, HaveFullNodes) {
